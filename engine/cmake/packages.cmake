@@ -1,0 +1,20 @@
+# Every library comes from Debian 12; nothing is downloaded at configure time.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+find_package(glfw3 REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+include(GoogleTest)
+
+pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+# The C++ build of Lua: its errors are exceptions, so destructors run (see engine/script/lua_state.hpp).
+pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
