@@ -24,4 +24,14 @@ struct WorldTransform {
     [[nodiscard]] bool mirrored() const { return glm::determinant(glm::dmat3(world_from_local)) < 0.0; }
 };
 
+/// A matrix taken apart.
+struct Decomposition {
+    Transform transform;
+    double shear = 0.0; ///< longest part of a column that the transform leaves out, relative to the longest column
+};
+
+/// The Transform nearest to an affine matrix; mirrored ones get a negative scale.x, columns of length 0 a scale of 0.
+/// @param parent_from_local finite
+Decomposition decompose(const glm::dmat4& parent_from_local);
+
 } // namespace scene
