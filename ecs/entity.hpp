@@ -1,4 +1,5 @@
-// An entity is a number: an index that is used again after the entity dies, and a generation that is not.
+// An entity is a number: an index that is used again after the entity dies, and a generation that
+// is not.
 
 #pragma once
 
@@ -29,5 +30,7 @@ inline constexpr Entity kNoEntity{};
 
 template <>
 struct std::hash<ecs::Entity> {
-    std::size_t operator()(ecs::Entity entity) const noexcept { return std::hash<std::uint32_t>()(entity.value); }
+    std::size_t operator()(ecs::Entity entity) const noexcept {
+        return std::hash<std::uint32_t>()(entity.value);
+    }
 };
