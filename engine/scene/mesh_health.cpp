@@ -1,0 +1,141 @@
+#include "engine/scene/mesh_health.hpp"
+
+#include "engine/core/check.hpp"
+#include "engine/scene/welded_edges.hpp"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <fmt/format.h>
+#include <glm/gtx/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+
+namespace scene {
+namespace {
+
+using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<>;
+
+/// OpenMesh reports every face that it refuses on standard error; we count them instead.
+class QuietOpenMesh {
+public:
+    QuietOpenMesh() { ::omerr().disable(); }
+    ~QuietOpenMesh() { ::omerr().enable(); }
+    QuietOpenMesh(const QuietOpenMesh&) = delete;
+    QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
+};
+
+/// Differences of floats and their products fit in a double, so this is exact but for extreme
+/// coordinates.
+bool zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return glm::cross(b - a, c - a) == glm::dvec3(0.0);
+}
+
+/// The corners of all triangles that have an area, welded.
+std::vector<std::uint32_t> sound_corners(
+    std::span<const glm::vec3> positions,
+    std::span<const std::uint32_t> indices,
+    std::span<const std::uint32_t> welded) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(indices.size());
+    for (std::size_t first = 0; first < indices.size(); first += 3) {
+        const std::uint32_t a = welded[indices[first]];
+        const std::uint32_t b = welded[indices[first + 1]];
+        const std::uint32_t c = welded[indices[first + 2]];
+        if (!zero_area(positions[a], positions[b], positions[c]))
+            corners.insert(corners.end(), {a, b, c});
+    }
+    return corners;
+}
+
+std::uint32_t count_open_edges(std::span<const std::uint32_t> corners) {
+    std::uint32_t count = 0;
+    for_each_edge(sides_by_edge(corners), [&count](std::span<const TriangleSide> sides) {
+        if (sides.size() == 1) ++count;
+    });
+    return count;
+}
+
+std::uint32_t count_doubled(std::span<const std::uint32_t> corners) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(corners.size() / 3);
+    for (std::size_t first = 0; first < corners.size(); first += 3) {
+        std::array<std::uint32_t, 3> triangle = {
+            corners[first], corners[first + 1], corners[first + 2]};
+        std::sort(triangle.begin(), triangle.end());
+        triangles.push_back(triangle);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    const auto distinct = std::unique(triangles.begin(), triangles.end());
+    return static_cast<std::uint32_t>(triangles.end() - distinct);
+}
+
+std::uint32_t
+count_refused(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
+    const QuietOpenMesh quiet;
+    HalfEdgeMesh mesh;
+    mesh.reserve(positions.size(), corners.size() / 2, corners.size() / 3);
+    for (const glm::vec3& p : positions)
+        mesh.add_vertex({p.x, p.y, p.z});
+    std::uint32_t refused = 0;
+    for (std::size_t first = 0; first < corners.size(); first += 3) {
+        const auto vertex = [&](std::size_t k) {
+            return OpenMesh::VertexHandle(static_cast<int>(corners[first + k]));
+        };
+        if (!mesh.add_face(vertex(0), vertex(1), vertex(2)).is_valid()) ++refused;
+    }
+    return refused;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> weld_by_position(std::span<const glm::vec3> positions) {
+    std::unordered_map<glm::vec3, std::uint32_t> first_at;
+    first_at.reserve(positions.size());
+    std::vector<std::uint32_t> welded;
+    welded.reserve(positions.size());
+    for (const glm::vec3& position : positions) {
+        const auto index = static_cast<std::uint32_t>(welded.size());
+        welded.push_back(first_at.try_emplace(position, index).first->second);
+    }
+    return welded;
+}
+
+MeshHealth
+examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+    CHECK_EQ(indices.size() % 3, std::size_t{0});
+    MeshHealth health;
+    health.triangles = static_cast<std::uint32_t>(indices.size() / 3);
+    health.open_edges_by_index = count_open_edges(indices);
+
+    const std::vector<std::uint32_t> welded = weld_by_position(positions);
+    const std::vector<std::uint32_t> corners = sound_corners(positions, indices, welded);
+    health.degenerate_triangles = health.triangles - static_cast<std::uint32_t>(corners.size() / 3);
+    for_each_edge(sides_by_edge(corners), [&health](std::span<const TriangleSide> sides) {
+        if (sides.size() == 1) ++health.open_edges;
+        if (sides.size() > 2) ++health.non_manifold_edges;
+        if (sides.size() == 2 && sides[0].rising == sides[1].rising) ++health.flipped_edges;
+    });
+    health.doubled_triangles = count_doubled(corners);
+    health.remainder_triangles = count_refused(positions, corners);
+    return health;
+}
+
+std::string MeshHealth::summary() const {
+    if (triangles == degenerate_triangles) return "empty";
+    if (closed()) return "closed";
+    std::string text;
+    const auto add = [&text](const char* what, std::uint32_t edges) {
+        if (edges == 0) return;
+        text += fmt::format(
+            "{}{} ({} {})", text.empty() ? "" : ", ", what, edges, edges == 1 ? "edge" : "edges");
+    };
+    add("open", open_edges);
+    add("non-manifold", non_manifold_edges);
+    add("badly wound", flipped_edges);
+    return text;
+}
+
+} // namespace scene

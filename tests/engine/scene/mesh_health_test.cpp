@@ -1,0 +1,117 @@
+#include "engine/scene/mesh_health.hpp"
+#include "engine/scene/primitives.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace scene {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+/// A unit tetrahedron, wound outward.
+const std::vector<glm::vec3> kTetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const Corners kTetrahedronCorners = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+TEST(WeldByPosition, MapsEqualPositionsToTheFirst) {
+    const std::vector<glm::vec3> positions = {{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0F, 0, -0.0F}};
+
+    EXPECT_EQ(weld_by_position(positions), (Corners{0, 1, 0, 1}));
+}
+
+TEST(WeldByPosition, KeepsNeighbouringFloatsApart) {
+    const std::vector<glm::vec3> positions = {{1, 0, 0}, {std::nextafter(1.0F, 2.0F), 0, 0}};
+
+    EXPECT_EQ(weld_by_position(positions), (Corners{0, 1}));
+}
+
+TEST(MeshHealth, ATetrahedronIsClosed) {
+    const MeshHealth health = examine_mesh(kTetrahedron, kTetrahedronCorners);
+
+    EXPECT_TRUE(health.closed());
+    EXPECT_EQ(health.summary(), "closed");
+    EXPECT_EQ(health.triangles, 4U);
+    EXPECT_EQ(health.open_edges_by_index, 0U);
+    EXPECT_EQ(health.remainder_triangles, 0U);
+}
+
+TEST(MeshHealth, AMissingTriangleLeavesThreeOpenEdges) {
+    const Corners corners(kTetrahedronCorners.begin(), kTetrahedronCorners.end() - 3);
+
+    const MeshHealth health = examine_mesh(kTetrahedron, corners);
+
+    EXPECT_EQ(health.open_edges, 3U);
+    EXPECT_FALSE(health.closed());
+    EXPECT_EQ(health.summary(), "open (3 edges)");
+}
+
+TEST(MeshHealth, ATurnedTriangleFlipsItsThreeEdges) {
+    Corners corners = kTetrahedronCorners;
+    std::swap(corners[10], corners[11]);
+
+    const MeshHealth health = examine_mesh(kTetrahedron, corners);
+
+    EXPECT_EQ(health.flipped_edges, 3U);
+    EXPECT_EQ(health.open_edges, 0U);
+    EXPECT_FALSE(health.closed());
+    EXPECT_EQ(health.remainder_triangles, 1U);
+    EXPECT_EQ(health.summary(), "badly wound (3 edges)");
+}
+
+TEST(MeshHealth, AFinOnAnEdgeIsNonManifoldAndItsFaceIsTheRemainder) {
+    std::vector<glm::vec3> positions = kTetrahedron;
+    positions.emplace_back(1.0F, -1.0F, -1.0F);
+    Corners corners = kTetrahedronCorners;
+    corners.insert(corners.end(), {0, 1, 4});
+    testing::internal::CaptureStderr();
+
+    const MeshHealth health = examine_mesh(positions, corners);
+
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(health.non_manifold_edges, 1U);
+    EXPECT_EQ(health.open_edges, 2U);
+    EXPECT_EQ(health.remainder_triangles, 1U);
+    EXPECT_EQ(health.summary(), "open (2 edges), non-manifold (1 edge)");
+}
+
+TEST(MeshHealth, DegenerateTrianglesAreCountedAndOtherwiseIgnored) {
+    std::vector<glm::vec3> positions = kTetrahedron;
+    positions.emplace_back(0.5F, 0.0F, 0.0F); // on the edge from 0 to 1
+    positions.emplace_back(0.0F, 0.0F, 0.0F); // welds to 0
+    Corners corners = kTetrahedronCorners;
+    corners.insert(corners.end(), {0, 1, 4, 0, 5, 2});
+
+    const MeshHealth health = examine_mesh(positions, corners);
+
+    EXPECT_EQ(health.triangles, 6U);
+    EXPECT_EQ(health.degenerate_triangles, 2U);
+    EXPECT_TRUE(health.closed());
+}
+
+TEST(MeshHealth, DoubledTrianglesAreFoundWhicheverWayTheyAreWound) {
+    Corners corners = kTetrahedronCorners;
+    corners.insert(corners.end(), {2, 1, 0, 0, 1, 2});
+
+    const MeshHealth health = examine_mesh(kTetrahedron, corners);
+
+    EXPECT_EQ(health.doubled_triangles, 2U);
+    EXPECT_EQ(health.non_manifold_edges, 3U);
+}
+
+TEST(MeshHealth, ABoxIsClosedOnlyAfterTheWeld) {
+    const MeshHealth health = make_box({1, 2, 3}).health;
+
+    EXPECT_EQ(health.open_edges_by_index, 24U);
+    EXPECT_TRUE(health.closed());
+}
+
+TEST(MeshHealth, NothingIsNotClosed) {
+    const MeshHealth health = examine_mesh({}, {});
+
+    EXPECT_FALSE(health.closed());
+    EXPECT_EQ(health.summary(), "empty");
+}
+
+} // namespace
+} // namespace scene
