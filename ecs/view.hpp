@@ -26,37 +26,33 @@ namespace ecs {
 /// A walk over a sparse set that survives the erasure of the entity it stands at.
 class Cursor {
 public:
-    explicit Cursor(const SparseSet& set) : set_(&set), end_(set.size()) { load(); }
+    explicit Cursor(const SparseSet& set) : set_(&set), end_(set.size()) {}
 
     [[nodiscard]] bool done() const { return position_ >= end_; }
-    [[nodiscard]] Entity entity() const { return entity_; }
+    /// @pre !done(), and the set is as it was when the cursor came here
+    [[nodiscard]] Entity entity() const { return (*set_)[position_]; }
     [[nodiscard]] std::size_t position() const { return position_; }
 
-    void advance() {
+    /// @param visited what entity() was
+    void advance(Entity visited) {
         if (set_->size() == end_) {
             ++position_;
-        } else {
-            follow_erasure();
+        } else { // the last entity stands in the place of the erased one now: stay
+            check_erasure(*set_, end_, visited);
+            end_ = set_->size();
         }
-        load();
     }
 
 private:
-    void load() {
-        if (!done()) entity_ = (*set_)[position_];
-    }
-
-    /// The last entity stands in the place of the erased one now: stay.
-    void follow_erasure() {
-        if (set_->size() + 1 != end_ || set_->contains(entity_))
-            misuse(entity_, "was being visited while the viewed components of others came or went");
-        end_ = set_->size();
+    /// Takes values: a cursor whose address never escapes lives in registers.
+    static void check_erasure(const SparseSet& set, std::size_t size_before, Entity visited) {
+        if (set.size() + 1 != size_before || set.contains(visited))
+            misuse(visited, "was being visited while the viewed components of others came or went");
     }
 
     const SparseSet* set_;
     std::size_t end_;
     std::size_t position_ = 0;
-    Entity entity_;
 };
 
 /// A short-lived range of entities: `for (ecs::Entity entity : registry.view<A, B>())`.
@@ -72,26 +68,29 @@ public:
         using iterator_category = std::input_iterator_tag;
 
         Iterator(const View& view, const SparseSet& driver) : view_(&view), cursor_(driver) {
-            skip_strangers();
+            find_member();
         }
 
-        Entity operator*() const { return cursor_.entity(); }
+        Entity operator*() const { return entity_; }
         Iterator& operator++() {
-            cursor_.advance();
-            skip_strangers();
+            cursor_.advance(entity_);
+            find_member();
             return *this;
         }
         void operator++(int) { ++*this; }
         bool operator==(std::default_sentinel_t /*end*/) const { return cursor_.done(); }
 
     private:
-        void skip_strangers() {
-            while (!cursor_.done() && !view_->contains(cursor_.entity()))
-                cursor_.advance();
+        void find_member() {
+            for (; !cursor_.done(); cursor_.advance(entity_)) {
+                entity_ = cursor_.entity();
+                if (view_->contains(entity_)) return;
+            }
         }
 
         const View* view_;
         Cursor cursor_;
+        Entity entity_;
     };
 
     /// @param storages null for a type that the registry has never held: the view is empty then
@@ -127,12 +126,14 @@ public:
 private:
     template <std::size_t Driver, class Function, std::size_t... I>
     void walk(Function& function, std::index_sequence<I...> /*types*/) const {
-        for (Cursor cursor(*driving_set_); !cursor.done(); cursor.advance()) {
+        Cursor cursor(*driving_set_);
+        while (!cursor.done()) {
             const Entity entity = cursor.entity();
             std::array<std::size_t, sizeof...(I)> at = {};
             at[Driver] = cursor.position();
             if (((I == Driver || (at[I] = find<I>(entity)) != SparseSet::kAbsent) && ...))
                 function(entity, std::get<I>(storages_)->value(at[I])...);
+            cursor.advance(entity);
         }
     }
 

@@ -1,6 +1,4 @@
-# format, format-check: the same clang-format over every C++ file.
-file(GLOB_RECURSE formatted_files CONFIGURE_DEPENDS
-    ecs/*.[ch]pp engine/*.[ch]pp systems/*.[ch]pp tools/*.[ch]pp tests/*.[ch]pp)
-add_custom_target(format COMMAND clang-format -i ${formatted_files} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
-add_custom_target(format-check
-    COMMAND clang-format --dry-run --Werror ${formatted_files} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+# Targets for people: what they do stands in ./dev.
+foreach(verb format format-check lint)
+    add_custom_target(${verb} COMMAND ./dev ${verb} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}" USES_TERMINAL)
+endforeach()
