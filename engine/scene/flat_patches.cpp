@@ -29,6 +29,8 @@ constexpr double kParallel = 1.0 - 1e-8;
 /// held to one plane and contains the seed, so that no number of refits lets a curved surface drift
 /// along itself.
 constexpr int kRefits = 2;
+/// A first growth smaller than this, in least areas, is not worth a refit.
+constexpr double kHopeful = 0.25;
 
 struct PlaneFit {
     glm::dvec3 normal = {};
@@ -180,16 +182,17 @@ std::vector<Region> find_regions(const Surface& surface) {
     std::vector<bool> tried(surface.count());
     std::vector<std::uint32_t> seen(surface.count(), 0);
     std::uint32_t mark = 0;
+    const double least_area = kLeastArea * surface.area;
     for (const std::uint32_t seed : seeds) {
         if (taken[seed] || tried[seed]) continue;
         const glm::dvec3& normal = surface.normals[seed];
         PlaneFit plane = {normal, glm::dot(normal, surface.corners[seed][0])};
         Region region = grow(surface, seed, plane, taken, seen, ++mark);
-        for (int refit = 0; refit < kRefits && !region.triangles.empty(); ++refit) {
+        for (int refit = 0; refit < kRefits && region.area > kHopeful * least_area; ++refit) {
             plane = mean_plane(surface, region);
             region = grow(surface, seed, plane, taken, seen, ++mark);
         }
-        const bool large = region.area >= kLeastArea * surface.area;
+        const bool large = region.area >= least_area;
         for (const std::uint32_t triangle : region.triangles) {
             if (large)
                 taken[triangle] = true;
