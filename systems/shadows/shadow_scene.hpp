@@ -1,0 +1,57 @@
+// What shadow decisions see of a frame: flat copies taken from the world once per frame. Techniques and the
+// picker read these and nothing else: no registry, no Lua, no clock, no OpenGL.
+
+#pragma once
+
+#include "engine/core/geometry.hpp"
+#include "engine/scene/camera.hpp"
+#include "engine/scene/description.hpp"
+#include "engine/scene/light.hpp"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shadows {
+
+using LightView = scene::PlacedLight;
+
+/// A mesh that blocks light.
+struct CasterView {
+    std::uint32_t id = 0; ///< entity value
+    std::string name;
+    std::uint32_t mesh = 0; ///< index into the world's meshes
+    glm::dmat4 world_from_mesh = glm::dmat4(1.0);
+    engine::WorldAabb bounds;
+    bool hero = false;
+    bool closed = false;  ///< safe for a stencil volume, by the mesh's health
+    bool deforms = false;
+    bool alpha_masked = false;
+    std::uint32_t triangles = 0;
+};
+
+/// A flat patch of a mesh, or the rest of it, that shows shadows.
+struct ReceiverView {
+    std::uint32_t id = 0;     ///< as the G-buffer has it
+    std::uint32_t entity = 0; ///< entity value
+    std::string name;         ///< "floor", or "floor#2" for its second patch
+    engine::WorldAabb bounds;
+    bool flat = false;
+    glm::dvec3 normal = {};   ///< of a flat receiver: unit, outward
+    double offset = 0.0;      ///< of a flat receiver: dot(normal, p) for its points
+    double residual = 0.0;    ///< of a flat receiver: how far it leaves its plane, metres
+};
+
+/// One frame as shadows see it. Vectors are sorted by name (then id), so that no decision depends on the
+/// order in which entities were made.
+struct ShadowScene {
+    scene::CameraView camera;
+    std::vector<LightView> lights; ///< those that are on
+    std::vector<CasterView> casters;
+    std::vector<ReceiverView> receivers;
+};
+
+} // namespace shadows

@@ -1,0 +1,140 @@
+#include "systems/shadows/shadow_system.hpp"
+
+#include "systems/shadows/picker.hpp"
+#include "systems/shadows/snapshot.hpp"
+
+#include <embedded/shadows_shaders.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shadows {
+
+namespace {
+
+/// Changes whenever something moves, deforms, comes or goes.
+std::uint64_t versions_of(const scene::World& world) {
+    const auto& registry = world.registry;
+    return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>() +
+           registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
+}
+
+/// Everything about a light and its plans that a job draws from. Equal text, equal work.
+std::string fingerprint(const LightView& light, const std::vector<const Plan*>& plans) {
+    const scene::Light& l = light.light;
+    std::string text = fmt::format(
+        "{} {} {} {} {} {} {} {} {} {} {} {}",
+        static_cast<int>(l.kind), light.position.x, light.position.y, light.position.z, light.direction.x,
+        light.direction.y, light.direction.z, l.range, l.inner_angle, l.outer_angle, l.radius, l.angular_radius);
+    for (const Plan* plan : plans) {
+        text += fmt::format(" {}:", plan->receiver);
+        for (const PlanEntry& entry : plan->entries)
+            text += fmt::format("{}{}", entry.technique, fmt::join(entry.caster_groups, ","));
+    }
+    return text;
+}
+
+} // namespace
+
+std::vector<gpu::ShaderFolder> shader_folders() {
+    return {embedded::shadows_shaders()};
+}
+
+ShadowSystem::ShadowSystem(DeviceProfile profile) : techniques_(all_techniques()), profile_(profile) {}
+
+engine::Result<void> ShadowSystem::prepare(const render::FrameInput& input) {
+    scene_ = take_snapshot(input.world, input.receivers, input.camera, input.lights);
+    plan_ = pick(scene_, settings, techniques_, profile_);
+    assign_jobs();
+    const std::uint64_t versions = versions_of(input.world);
+    const bool changed = versions != world_versions_;
+    world_versions_ = versions;
+    return update_due_jobs(input, changed);
+}
+
+void ShadowSystem::assign_jobs() {
+    for (auto& [key, running] : jobs_)
+        running.plans.clear();
+    for (const Plan& plan : plan_.plans) {
+        for (const PlanEntry& entry : plan.entries) {
+            const JobKey key{plan.light, entry.technique};
+            auto found = jobs_.find(key);
+            if (found == jobs_.end()) {
+                auto job = find_technique(techniques_, entry.technique)->start();
+                if (job == nullptr) continue;
+                found = jobs_.emplace(key, RunningJob{std::move(job), 0, {}, {}}).first;
+            }
+            found->second.plans.push_back(&plan);
+        }
+    }
+    std::erase_if(jobs_, [](const auto& entry) { return entry.second.plans.empty(); });
+    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light)
+        for (auto& [key, running] : jobs_)
+            if (key.first == scene_.lights[light].id) running.light = light;
+}
+
+engine::Result<void> ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_changed) {
+    due_.clear();
+    const std::function<const trace::TraceScene&()> ask_truth = [&]() -> const trace::TraceScene& {
+        return truth(input.world);
+    };
+    const auto receiver_end = input.receivers.end();
+    for (auto& [key, running] : jobs_) {
+        const LightView& light = scene_.lights[running.light];
+        std::string wanted = fingerprint(light, running.plans);
+        if (!always_refresh && !world_changed && wanted == running.drawn_for) continue;
+        const scene::ShadowWish wish = settings.resolve(light.name, "", 0.0);
+        const auto& groups = plan_.groups[running.light].groups;
+        const ShadowRequest request{scene_, running.light, groups, running.plans, receiver_end, wish, ask_truth};
+        if (auto updated = running.job->update(request); !updated) return updated;
+        running.drawn_for = std::move(wanted);
+        due_.push_back(&running);
+    }
+    return {};
+}
+
+const trace::TraceScene& ShadowSystem::truth(const scene::World& world) {
+    truth_.update(world);
+    return truth_;
+}
+
+bool ShadowSystem::serves(std::size_t light) const {
+    return std::any_of(jobs_.begin(), jobs_.end(), [&](const auto& entry) { return entry.second.light == light; });
+}
+
+engine::Result<void> ShadowSystem::refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) {
+    for (RunningJob* running : due_)
+        if (auto rendered = running->job->render(frame, shaders); !rendered) return rendered;
+    return {};
+}
+
+void ShadowSystem::apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) {
+    for (auto& [key, running] : jobs_)
+        if (running.light == light) running.job->apply(frame, scene_.camera, target);
+}
+
+std::vector<std::string> ShadowSystem::unserved() const {
+    std::vector<std::string> sentences;
+    for (const Plan& plan : plan_.plans) {
+        if (!plan.entries.empty()) continue;
+        std::string reasons;
+        for (const Rejection& rejection : plan.rejected)
+            reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", rejection.technique, rejection.reason);
+        const auto light = std::find_if(scene_.lights.begin(), scene_.lights.end(), [&](const LightView& view) {
+            return view.id == plan.light;
+        });
+        sentences.push_back(fmt::format("light '{}': {}", light->name, reasons));
+    }
+    std::sort(sentences.begin(), sentences.end());
+    sentences.erase(std::unique(sentences.begin(), sentences.end()), sentences.end());
+    return sentences;
+}
+
+std::size_t ShadowSystem::gpu_bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [key, running] : jobs_)
+        sum += running.job->gpu_bytes();
+    return sum;
+}
+
+} // namespace shadows

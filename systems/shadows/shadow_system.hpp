@@ -1,0 +1,71 @@
+// The shadow system: takes a snapshot, plans every pair, keeps the jobs that plans name, and lowers masks. The one
+// class that knows both sides of the wall.
+
+#pragma once
+
+#include "engine/render/light_visibility.hpp"
+#include "engine/trace/trace_scene.hpp"
+#include "systems/shadows/cost_model.hpp"
+#include "systems/shadows/shadow_settings.hpp"
+#include "systems/shadows/technique_registry.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shadows {
+
+/// Shaders of the techniques, for the renderer's library.
+std::vector<gpu::ShaderFolder> shader_folders();
+
+class ShadowSystem final : public render::LightVisibility {
+public:
+    explicit ShadowSystem(DeviceProfile profile = llvmpipe_profile());
+
+    ShadowSettings settings;
+    /// Every job is redrawn in every frame, so that no cache flatters a timing.
+    bool always_refresh = false;
+
+    engine::Result<void> prepare(const render::FrameInput& input) override;
+    [[nodiscard]] bool serves(std::size_t light) const override;
+    engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) override;
+    void apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) override;
+
+    /// Of the last prepared frame.
+    [[nodiscard]] const ShadowScene& scene() const { return scene_; }
+    [[nodiscard]] const FramePlan& plan() const { return plan_; }
+    [[nodiscard]] const Techniques& techniques() const { return techniques_; }
+    /// Pairs that got no technique although something can darken them, as sentences.
+    [[nodiscard]] std::vector<std::string> unserved() const;
+    /// Jobs redrawn in the last frame.
+    [[nodiscard]] std::size_t refresh_count() const { return due_.size(); }
+    [[nodiscard]] std::size_t gpu_bytes() const;
+
+private:
+    /// A light's id and the technique at work for it.
+    using JobKey = std::pair<std::uint32_t, std::string>;
+
+    /// A job with what it was last drawn for.
+    struct RunningJob {
+        std::unique_ptr<ShadowJob> job;
+        std::uint32_t light = 0;         ///< index into scene_.lights
+        std::vector<const Plan*> plans;  ///< into plan_
+        std::string drawn_for;           ///< fingerprint of light and plans at the last refresh; empty: never
+    };
+
+    void assign_jobs();
+    engine::Result<void> update_due_jobs(const render::FrameInput& input, bool world_changed);
+    const trace::TraceScene& truth(const scene::World& world);
+
+    Techniques techniques_;
+    DeviceProfile profile_;
+    ShadowScene scene_;
+    FramePlan plan_;
+    std::map<JobKey, RunningJob> jobs_;
+    std::vector<RunningJob*> due_;
+    std::uint64_t world_versions_ = 0;
+    trace::TraceScene truth_;
+};
+
+} // namespace shadows

@@ -1,0 +1,98 @@
+#include "systems/shadows/snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shadows {
+
+namespace {
+
+std::string name_of(const scene::World& world, ecs::Entity entity) {
+    const auto* name = world.registry.try_get<scene::Name>(entity);
+    return name != nullptr ? name->text : fmt::format("entity {}", entity.index());
+}
+
+bool alpha_masked(const scene::Assets& assets, const scene::Mesh& mesh) {
+    return std::any_of(mesh.submeshes.begin(), mesh.submeshes.end(), [&](const scene::Submesh& submesh) {
+        return assets.materials[submesh.material].alpha_masked;
+    });
+}
+
+CasterView make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& world_from_mesh) {
+    const auto mesh_index = world.registry.get<scene::MeshInstance>(entity).mesh;
+    const scene::Mesh& mesh = world.assets.meshes[mesh_index];
+    CasterView caster;
+    caster.id = entity.value;
+    caster.name = name_of(world, entity);
+    caster.mesh = mesh_index;
+    caster.world_from_mesh = world_from_mesh;
+    caster.bounds = scene::world_bounds(world, entity);
+    caster.hero = world.registry.get<scene::ShadowRole>(entity).hero;
+    caster.closed = mesh.health.closed();
+    caster.deforms = mesh.deforms();
+    caster.alpha_masked = alpha_masked(world.assets, mesh);
+    caster.triangles = mesh.health.triangles;
+    return caster;
+}
+
+/// A patch's plane in the world. Source: normals transform by the inverse transpose.
+void place_plane(ReceiverView& receiver, const scene::FlatPatch& patch, const glm::dmat4& world_from_mesh) {
+    const glm::dmat3 linear(world_from_mesh);
+    const glm::dvec3 turned = glm::transpose(glm::inverse(linear)) * glm::dvec3(patch.normal);
+    const glm::dvec3 on_plane(glm::dvec3(patch.normal) * static_cast<double>(patch.offset));
+    receiver.flat = true;
+    receiver.normal = glm::normalize(turned);
+    receiver.offset = glm::dot(receiver.normal, glm::dvec3(world_from_mesh * glm::dvec4(on_plane, 1.0)));
+    receiver.residual = static_cast<double>(patch.residual) / glm::length(turned);
+}
+
+void add_receivers(
+    ShadowScene& scene, const scene::World& world, const scene::ReceiverRange& range, const glm::dmat4& world_from_mesh) {
+    const scene::Mesh& mesh = world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
+    const std::string name = name_of(world, range.entity);
+    for (std::uint32_t part = 0; part < range.count; ++part) {
+        ReceiverView receiver;
+        receiver.id = range.first + part;
+        receiver.entity = range.entity.value;
+        receiver.name = part == 0 ? name : fmt::format("{}#{}", name, part);
+        if (part == 0) {
+            receiver.bounds = scene::world_bounds(world, range.entity);
+        } else {
+            const scene::FlatPatch& patch = mesh.patches[part - 1];
+            receiver.bounds = engine::transformed(world_from_mesh, patch.bounds);
+            if (glm::determinant(glm::dmat3(world_from_mesh)) != 0.0) place_plane(receiver, patch, world_from_mesh);
+        }
+        scene.receivers.push_back(std::move(receiver));
+    }
+}
+
+template <class View>
+void sort_by_name(std::vector<View>& views) {
+    std::sort(views.begin(), views.end(), [](const View& a, const View& b) {
+        return a.name != b.name ? a.name < b.name : a.id < b.id;
+    });
+}
+
+} // namespace
+
+ShadowScene take_snapshot(
+    const scene::World& world,
+    const scene::ReceiverTable& receivers,
+    const scene::CameraView& camera,
+    std::span<const scene::PlacedLight> lights) {
+    ShadowScene scene;
+    scene.camera = camera;
+    scene.lights.assign(lights.begin(), lights.end());
+    for (const scene::ReceiverRange& range : receivers.ranges()) {
+        const glm::dmat4& placed = world.registry.get<scene::WorldTransform>(range.entity).world_from_local;
+        const auto& role = world.registry.get<scene::ShadowRole>(range.entity);
+        if (role.casts) scene.casters.push_back(make_caster(world, range.entity, placed));
+        if (role.receives) add_receivers(scene, world, range, placed);
+    }
+    sort_by_name(scene.casters);
+    sort_by_name(scene.receivers);
+    return scene;
+}
+
+} // namespace shadows

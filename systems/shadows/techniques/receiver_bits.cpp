@@ -1,0 +1,26 @@
+#include "systems/shadows/techniques/receiver_bits.hpp"
+
+#include "engine/core/check.hpp"
+
+#include <shadows/shared/receivers.h>
+
+namespace shadows {
+
+ReceiverBits::ReceiverBits() : buffer_(gpu::Buffer::dynamic("receiver bits")) {}
+
+void ReceiverBits::assign(std::span<const Plan* const> plans, std::uint32_t receiver_end) {
+    std::vector<std::uint32_t> words(receiver_end / 32 + 1);
+    for (const Plan* plan : plans) {
+        CHECK_LT(plan->receiver, receiver_end);
+        words[plan->receiver / 32] |= 1U << (plan->receiver % 32);
+    }
+    if (words == words_) return;
+    buffer_.assign(gpu::bytes_of(words));
+    words_ = std::move(words);
+}
+
+void ReceiverBits::bind() const {
+    buffer_.bind_storage(RECEIVER_BITS_BINDING);
+}
+
+} // namespace shadows
