@@ -44,6 +44,16 @@ struct DrawRange {
     Primitive primitive = Primitive::triangles;
 };
 
+/// Commands in a buffer, each as glMultiDrawElementsIndirect reads them: index count, instances,
+/// first index, base vertex, first instance (five 32-bit integers, packed).
+struct IndirectRange {
+    const Buffer* commands = nullptr;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint64_t triangles = 0; ///< of all commands together, for the counters
+    Primitive primitive = Primitive::triangles;
+};
+
 class Frame {
 public:
     /// Needs a current context, which must live longer.
@@ -60,6 +70,10 @@ public:
 
     /// @pre the program is one for graphics; a pass is open
     void draw(const Program& program, const VertexArray& vertices, const DrawRange& range);
+
+    /// Many draws in one call. @pre the vertex array has indices
+    void
+    draw_indirect(const Program& program, const VertexArray& vertices, const IndirectRange& range);
 
     /// One triangle over the viewport; the vertex shader is "gpu/fullscreen.vert".
     void draw_fullscreen(const Program& program);

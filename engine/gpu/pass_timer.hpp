@@ -76,6 +76,7 @@ private:
     std::array<FrameQueries, kFramesInFlight> ring_;
     std::size_t query_count_ = 0; ///< used so far in the current frame
     CpuClock::time_point pass_start_;
+    std::string measured_name_;
     std::vector<PassTime> measured_; ///< by the finish back end, in the current frame
     std::vector<PassTime> latest_;
     std::uint64_t latest_frame_ = 0;

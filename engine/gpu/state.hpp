@@ -135,6 +135,10 @@ public:
     void set_program(GLuint name);
     void set_vertex_array(GLuint name);
 
+    /// Called at the start of each pass: OpenGL may since have given the name of a deleted object
+    /// to a new one.
+    void forget_bindings();
+
     /// Call after foreign code (a panel's back end) has changed OpenGL's state: all is set anew.
     void forget();
 
@@ -142,11 +146,10 @@ public:
     [[nodiscard]] Rect target_rect() const { return target_rect_; }
 
 private:
-    void apply(StateGroup group, const RenderState& state) const;
+    static void apply(StateGroup group, const RenderState& state);
 
     RenderState state_;
     Rect target_rect_;
-    std::optional<GLuint> target_;
     std::optional<GLuint> program_;
     std::optional<GLuint> vertex_array_;
     bool known_ = false;

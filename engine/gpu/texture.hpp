@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -39,13 +40,13 @@ enum class Format : std::uint8_t {
 
 /// What a format is to OpenGL. One row per format.
 struct FormatTraits {
-    GLenum internal_format;
-    GLenum pixel_format; ///< of one pixel in memory, for uploads and reads
-    GLenum pixel_type;
-    int pixel_bytes; ///< in memory; on the device as well, but 8 for depth32f_stencil8
-    bool integer;
-    bool depth;
-    bool stencil;
+    GLenum internal_format = 0;
+    GLenum pixel_format = 0; ///< of one pixel in memory, for uploads and reads
+    GLenum pixel_type = 0;
+    int pixel_bytes = 0; ///< in memory and on the device
+    bool integer = false;
+    bool depth = false;
+    bool stencil = false;
 };
 const FormatTraits& traits(Format format);
 
@@ -61,6 +62,7 @@ struct Sampling {
     Filter mag = Filter::nearest;
     MipFilter mip = MipFilter::none;
     Wrap wrap = Wrap::clamp_to_edge;
+    std::optional<Wrap> wrap_v = {};    ///< upward, where it differs from `wrap`
     glm::vec4 border = glm::vec4(0.0F); ///< for clamp_to_border
     bool compare = false;
     float max_anisotropy = 1.0F; ///< cut to what the device offers

@@ -1,0 +1,223 @@
+// The part of shader_source.hpp that works on text: includes, defines, line numbers and messages.
+
+#include "engine/gpu/shader_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace gpu {
+
+namespace {
+
+constexpr std::string_view kSpaces = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(kSpaces);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kSpaces) - first + 1);
+}
+
+/// Takes the first line off `text`, without its end.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+    return line;
+}
+
+/// What follows `#word` on a line which is that directive: `# word` counts too.
+std::optional<std::string_view> directive(std::string_view line, std::string_view word) {
+    line = trimmed(line);
+    if (!line.starts_with('#')) return std::nullopt;
+    line = trimmed(line.substr(1));
+    if (!line.starts_with(word)) return std::nullopt;
+    const std::string_view rest = line.substr(word.size());
+    if (!rest.empty() && kSpaces.find(rest.front()) == std::string_view::npos && rest.front() != '"'
+        && rest.front() != '<') {
+        return std::nullopt;
+    }
+    return trimmed(rest);
+}
+
+class Expander {
+public:
+    Expander(std::span<const std::string> defines, const ShaderReader& read)
+        : defines_(defines),
+          read_(read) {}
+
+    engine::Result<void> add_file(const std::string& name) {
+        engine::Result<std::string> text = read_(name);
+        if (!text) return text.error();
+        const std::size_t file = result.files.size();
+        result.files.push_back(name);
+
+        std::string_view rest = *text;
+        for (int line_number = 1; !rest.empty(); ++line_number) {
+            const std::string_view line = take_line(rest);
+            engine::Result<void> added = add_line(line, {name, line_number}, file);
+            if (!added) return added;
+        }
+        return {};
+    }
+
+    [[nodiscard]] bool has_version() const { return has_version_; }
+    ExpandedShader result;
+
+private:
+    engine::Result<void>
+    add_line(std::string_view line, const engine::SourcePlace& place, std::size_t file) {
+        if (const auto version = directive(line, "version")) {
+            if (file != 0) return engine::Error{"#version may stand in main files only", place};
+            result.text += fmt::format("#version {}\n", *version);
+            add_defines();
+            continue_at(place.line + 1, file);
+            has_version_ = true;
+        } else if (const auto target = directive(line, "include")) {
+            return include(*target, place, file);
+        } else if (directive(line, "pragma") == "once") {
+            result.text += '\n';
+        } else {
+            result.text.append(line).push_back('\n');
+        }
+        return {};
+    }
+
+    engine::Result<void>
+    include(std::string_view target, const engine::SourcePlace& place, std::size_t file) {
+        if (target.starts_with('<')) {
+            result.text += '\n';
+            return {};
+        }
+        const std::size_t end = target.find('"', 1);
+        if (!target.starts_with('"') || end == std::string_view::npos) {
+            return engine::Error{"#include wants a file name in double quotes", place};
+        }
+        if (!has_version_) return engine::Error{"#include stands before #version", place};
+        const std::string name(target.substr(1, end - 1));
+        const bool done =
+            std::find(result.files.begin(), result.files.end(), name) != result.files.end();
+        if (!done) {
+            continue_at(1, result.files.size());
+            engine::Result<void> added = add_file(name);
+            if (!added) {
+                engine::Error error = added.error();
+                if (error.place.file.empty()) error.place = place;
+                return error;
+            }
+        }
+        continue_at(place.line + 1, file);
+        return {};
+    }
+
+    void add_defines() {
+        for (const std::string& define : defines_) {
+            const std::size_t equals = define.find('=');
+            const std::string_view value = equals == std::string::npos
+                                               ? std::string_view()
+                                               : std::string_view(define).substr(equals + 1);
+            result.text += fmt::format("#define {} {}\n", define.substr(0, equals), value);
+        }
+    }
+
+    void continue_at(int line, std::size_t file) {
+        result.text += fmt::format("#line {} {}\n", line, file);
+    }
+
+    std::span<const std::string> defines_;
+    const ShaderReader& read_;
+    bool has_version_ = false;
+};
+
+/// One line of a driver's log, taken apart.
+struct LogLine {
+    engine::SourcePlace place; ///< without a file when the line names none
+    std::string text;
+};
+
+bool take_number(std::string_view& text, std::size_t& number) {
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failed != std::errc()) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+bool take(std::string_view& text, std::string_view prefix) {
+    if (!text.starts_with(prefix)) return false;
+    text.remove_prefix(prefix.size());
+    return true;
+}
+
+LogLine parse_log_line(std::string_view line, std::span<const std::string> files) {
+    const LogLine unchanged = {{}, std::string(line)};
+    std::string_view rest = line;
+    const bool error_first = take(rest, "ERROR: "); // a third form: "ERROR: 2:17: text"
+    std::size_t file = 0;
+    std::size_t number = 0;
+    if (!take_number(rest, file) || file >= files.size()) return unchanged;
+    if (take(rest, "(")) {
+        if (!take_number(rest, number) || !take(rest, ")")) return unchanged;
+    } else {
+        if (!take(rest, ":") || !take_number(rest, number)) return unchanged;
+        std::size_t column = 0;
+        if (take(rest, "(") && (!take_number(rest, column) || !take(rest, ")"))) return unchanged;
+    }
+    rest = trimmed(rest);
+    if (!take(rest, ":")) return unchanged;
+    return {
+        {files[file], static_cast<int>(number)},
+        fmt::format("{}{}", error_first ? "error: " : "", trimmed(rest))};
+}
+
+std::string to_string(const LogLine& line) {
+    if (line.place.file.empty()) return line.text;
+    return fmt::format("{}:{}: {}", line.place.file, line.place.line, line.text);
+}
+
+std::vector<LogLine> parse_log(std::string_view log, std::span<const std::string> files) {
+    std::vector<LogLine> lines;
+    while (!log.empty()) {
+        const std::string_view line = take_line(log);
+        const std::size_t end = line.find_last_not_of(std::string_view(" \t\r\0", 4));
+        if (end == std::string_view::npos) continue;
+        lines.push_back(parse_log_line(line.substr(0, end + 1), files));
+    }
+    return lines;
+}
+
+} // namespace
+
+engine::Result<ExpandedShader> expand_shader(
+    const std::string& name, std::span<const std::string> defines, const ShaderReader& read) {
+    Expander expander(defines, read);
+    const engine::Result<void> added = expander.add_file(name);
+    if (!added) return added.error();
+    if (!expander.has_version()) return engine::Error{"this shader has no #version", {name, 1}};
+    return std::move(expander.result);
+}
+
+std::string readable_log(std::string_view log, std::span<const std::string> files) {
+    std::string text;
+    for (const LogLine& line : parse_log(log, files))
+        text += to_string(line) + '\n';
+    return text;
+}
+
+engine::Error error_from_log(std::string_view log, std::span<const std::string> files) {
+    const std::vector<LogLine> lines = parse_log(log, files);
+    const auto is_error = [](const LogLine& line) {
+        return !line.place.file.empty() && line.text.find("error") != std::string::npos;
+    };
+    auto first = std::find_if(lines.begin(), lines.end(), is_error);
+    if (first == lines.end()) first = lines.begin();
+    if (first == lines.end()) return {"the driver refused the shader without a message"};
+
+    engine::Error error = {first->text, first->place};
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+        if (line != first) error.message += '\n' + to_string(*line);
+    }
+    return error;
+}
+
+} // namespace gpu

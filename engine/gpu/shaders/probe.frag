@@ -1,0 +1,4 @@
+#version 450 core
+// Depth and stencil are all that is wanted.
+
+void main() {}
