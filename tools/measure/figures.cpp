@@ -1,0 +1,187 @@
+// The figures that need one pass over the pixels, put together with those of edge_distance.cpp.
+
+#include "tools/measure/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "tools/measure/blobs.hpp"
+#include "tools/measure/edge_distance.hpp"
+#include "tools/measure/edges.hpp"
+#include "tools/measure/floors.hpp"
+
+namespace measure {
+
+namespace {
+
+constexpr float kBandPx = 1.0F;
+const char* const kNoValidPixels = "no valid pixels";
+const char* const kFewEdges = "less than 32 px of true edge";
+
+Figure ratio(double part, double whole, const char* reason) {
+    return whole > 0.0 ? Figure(part / whole) : Figure::missing(reason);
+}
+
+bool wrong(const Comparison& input, std::size_t i) {
+    return lit(input.measured.visibility[i]) != lit(input.truth.visibility[i]);
+}
+
+void add_pixel_counts(const Comparison& input, const DistanceField& to_edge, Figures& figures) {
+    double surface = 0.0;
+    double mismatch = 0.0;
+    double undecided = 0.0;
+    for (int y = 0; y < input.truth.height; ++y)
+        for (int x = 0; x < input.truth.width; ++x) {
+            const std::size_t i = input.truth.index(x, y);
+            const PixelKind kind = input.kind[i];
+            if (kind != PixelKind::empty) ++surface;
+            if (kind == PixelKind::valid) ++figures.valid_px;
+            if (kind == PixelKind::mismatch) ++mismatch;
+            if (kind == PixelKind::undecided && to_edge.to_pixel(x, y) > kBandPx) ++undecided;
+            if (kind != PixelKind::grazing) continue;
+            ++figures.grazing_px;
+            if (wrong(input, i)) ++figures.grazing_wrong_px;
+        }
+    figures.invalid_share = ratio(mismatch, surface, "no surface in the picture");
+    figures.undecided_share = ratio(undecided, surface, "no surface in the picture");
+}
+
+/// The wrong pixels farther from every true edge than `radius_px(i)`.
+template <class Radius>
+InteriorErrors interior_errors(
+    const Comparison& input, const DistanceField& to_edge, double valid_px, Radius radius_px) {
+    InteriorErrors errors;
+    std::vector<std::uint8_t> marked(input.truth.pixel_count());
+    for (int y = 0; y < input.truth.height; ++y)
+        for (int x = 0; x < input.truth.width; ++x) {
+            const std::size_t i = input.truth.index(x, y);
+            if (input.kind[i] != PixelKind::valid || !wrong(input, i)) continue;
+            if (to_edge.to_pixel(x, y) <= radius_px(i)) continue;
+            marked[i] = 1;
+            ++(lit(input.truth.visibility[i]) ? errors.false_shadow_px : errors.light_leak_px);
+        }
+    const Blobs blobs = find_blobs(input.truth.width, input.truth.height, std::move(marked));
+    errors.largest_px = static_cast<double>(blobs.largest_px);
+    errors.components = ratio(1000.0 * static_cast<double>(blobs.count), valid_px, kNoValidPixels);
+    return errors;
+}
+
+void add_misclassification(
+    const Comparison& input, const DistanceField& to_edge, Figures& figures) {
+    for (std::size_t i = 0; i < input.kind.size(); ++i) {
+        if (input.kind[i] != PixelKind::valid || !wrong(input, i)) continue;
+        ++(lit(input.truth.visibility[i]) ? figures.false_shadow_px : figures.light_leak_px);
+    }
+    figures.interior =
+        interior_errors(input, to_edge, figures.valid_px, [](std::size_t) { return kBandPx; });
+
+    const std::vector<float>& band = input.resolution_band_px;
+    if (band.empty()) {
+        const Figure missing = Figure::missing("this technique has no resolution of its own");
+        figures.far_false_shadow_px = figures.far_light_leak_px = figures.far_largest_px = missing;
+        return;
+    }
+    const InteriorErrors far =
+        interior_errors(input, to_edge, figures.valid_px, [&](std::size_t i) {
+            return std::max(kBandPx, band[band.size() == 1 ? 0 : i]);
+        });
+    figures.far_false_shadow_px = far.false_shadow_px;
+    figures.far_light_leak_px = far.light_leak_px;
+    figures.far_largest_px = far.largest_px;
+}
+
+void add_visibility(const Comparison& input, Figures& figures) {
+    double signed_error = 0.0;
+    for (std::size_t i = 0; i < input.kind.size(); ++i) {
+        if (input.kind[i] != PixelKind::valid) continue;
+        const float truth = input.truth.visibility[i];
+        const double error =
+            static_cast<double>(input.measured.visibility[i]) - static_cast<double>(truth);
+        figures.error_px += std::abs(error);
+        signed_error += error;
+        if (truth > 0.0F && truth < 1.0F) ++figures.penumbra_px;
+    }
+    figures.mean_error = ratio(figures.error_px, figures.valid_px, kNoValidPixels);
+    const double edge_px = figures.edge_px < kMinEdgePx ? 0.0 : figures.edge_px;
+    figures.eps_px = ratio(figures.error_px, edge_px, kFewEdges);
+    figures.bias_px = ratio(signed_error, edge_px, kFewEdges);
+}
+
+void add_double_dark(const Comparison& input, Figures& figures) {
+    if (input.luminance.empty()) {
+        figures.double_dark_px = Figure::missing("no shaded pictures were compared");
+        return;
+    }
+    double count = 0.0;
+    for (std::size_t i = 0; i < input.kind.size(); ++i) {
+        const bool unlit =
+            input.kind[i] == PixelKind::facing_away
+            || (input.kind[i] == PixelKind::valid && input.truth.visibility[i] == 0.0F);
+        if (unlit && input.luminance[i] < input.reference_luminance[i] - kDarkerThanReference)
+            ++count;
+    }
+    figures.double_dark_px = count;
+}
+
+void add_floors(const Comparison& input, Figures& figures) {
+    if (figures.edge_px < kMinEdgePx) {
+        const Figure missing = Figure::missing(kFewEdges);
+        figures.precision_floor_px = figures.half_pixel_floor_px = missing;
+        figures.over_precision_floor = figures.over_half_pixel_floor = missing;
+        return;
+    }
+    const double value =
+        input.soft ? figures.error_px : figures.false_shadow_px + figures.light_leak_px;
+    const double precision =
+        input.soft ? kSamplingFloor * figures.penumbra_px : kPrecisionFloor * figures.edge_px;
+    const double half_pixel = kHalfPixelFloor * figures.edge_px;
+    figures.precision_floor_px = precision;
+    figures.half_pixel_floor_px = half_pixel;
+    figures.over_precision_floor = ratio(value, precision, "the true mask has no penumbra");
+    figures.over_half_pixel_floor = value / half_pixel;
+    figures.copied_truth = !input.exact_by_construction && value < precision;
+}
+
+} // namespace
+
+Figures compare(const Comparison& input) {
+    check_sizes(input);
+    const int width = input.truth.width;
+    const int height = input.truth.height;
+    const Edge truth = find_edge(input.truth, input.kind);
+    const Edge measured = find_edge(input.measured, input.kind);
+
+    Figures figures;
+    figures.edge_px = crofton_length(truth.cracks.size());
+    add_pixel_counts(input, truth.distance, figures);
+    add_misclassification(input, truth.distance, figures);
+    const EdgeDistance edges = edge_distance(measured, truth, std::hypot(width, height));
+    figures.chamfer_px = edges.chamfer_px;
+    figures.hausdorff95_px = edges.hausdorff95_px;
+    figures.boundary_f1 = edges.boundary_f1;
+    add_visibility(input, figures);
+    add_double_dark(input, figures);
+    add_floors(input, figures);
+    return figures;
+}
+
+std::vector<std::string> warnings(const Figures& figures) {
+    std::vector<std::string> found;
+    const auto gate = [&](const Figure& share, double allowed, const char* what) {
+        if (share.known() && share.value() >= allowed)
+            found.push_back(fmt::format(
+                "{:.2f} % of pixels {}, {:.1f} % allowed",
+                100.0 * share.value(),
+                what,
+                100.0 * allowed));
+    };
+    gate(figures.invalid_share, kMaxInvalidShare, "show another surface than the truth");
+    gate(figures.undecided_share, kMaxUndecidedShare, "have no sure truth");
+    if (figures.copied_truth) found.emplace_back("below the precision floor: copied truth?");
+    return found;
+}
+
+} // namespace measure

@@ -1,0 +1,73 @@
+// The figures of a sequence of frames: what flickers, crawls with the camera, or pops, that should
+// not.
+//
+// Change itself is no error, since the true shadow changes too. Every figure is the change that the
+// technique adds to the change of the truth, both read at the same pixels, so that resampling
+// cancels.
+
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "tools/measure/figure.hpp"
+#include "tools/measure/mask.hpp"
+#include "tools/measure/tracks.hpp"
+
+namespace measure {
+
+struct MotionFigures {
+    double frames = 0.0;
+    Figure changed_px;     ///< pixels that change at all while nothing moves
+    Figure mean_edge_px;   ///< true edge length, mean over the frames
+    Figure tracked_points; ///< surface points seen in every frame
+    Figure flicker_per_px; ///< flips per px of true edge and frame
+    Figure
+        pop; ///< the largest sudden change of a tile beyond the truth's own, in units of contrast
+};
+
+/// Pixels whose value differs, bit for bit, from the first frame in any later one.
+/// @pre all frames have the same size
+Figure changed_px(std::span<const Mask> frames);
+
+inline constexpr int kPopTilePx = 32;
+
+/// The largest change from one frame to the next of the mean visibility change over a tile, beyond
+/// the truth's own; never negative. A pixel that is not valid in both frames counts as unchanged.
+/// @param tile_contrast how much of the luminance this light gives to each tile of 32 x 32 px, row
+/// by row,
+///                      border tiles included; empty for 1 everywhere
+/// @pre both frames have the same size
+double
+pop(const Comparison& before, const Comparison& after, std::span<const float> tile_contrast = {});
+
+/// Takes the frames of one sequence in order and keeps no more than the last.
+class MotionRecorder {
+public:
+    explicit MotionRecorder(TrackPoints points = {}) : tracks_(std::move(points)) {}
+
+    /// @param truth_depth view depth of the true surface per pixel, metres; infinite where there is
+    /// none
+    /// @param project     into this frame's picture
+    /// Both may be left out when the recorder was given no points.
+    void
+    add(Comparison frame, std::span<const float> truth_depth = {}, const Projection& project = {});
+
+    /// @param changed what changed_px() found in a sequence where nothing moved
+    [[nodiscard]] MotionFigures
+    figures(Figure changed = Figure::missing("no still sequence was drawn")) const;
+
+private:
+    TrackRecorder tracks_;
+    std::optional<Comparison> last_;
+    double pop_ = 0.0;
+    double edge_px_sum_ = 0.0;
+    int frames_ = 0;
+};
+
+nlohmann::json to_json(const MotionFigures& figures);
+
+} // namespace measure
