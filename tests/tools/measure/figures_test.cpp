@@ -1,0 +1,210 @@
+#include "tests/support/pictures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/measure/figures.hpp"
+
+namespace measure {
+namespace {
+
+constexpr int kSize = 128;
+
+/// Dark disc in the middle.
+Mask disc() {
+    return pictures::draw(kSize, kSize, pictures::Ellipse{{64.2, 63.7}, 30.0, 30.0});
+}
+
+TEST(Compare, FindsNothingWrongWithACopyOfTheTruth) {
+    const Figures figures = compare(comparison(disc(), disc()));
+
+    EXPECT_EQ(figures.valid_px, kSize * kSize);
+    EXPECT_EQ(figures.false_shadow_px, 0.0);
+    EXPECT_EQ(figures.light_leak_px, 0.0);
+    EXPECT_EQ(figures.interior.largest_px, 0.0);
+    EXPECT_EQ(figures.interior.components.value(), 0.0);
+    EXPECT_EQ(figures.chamfer_px.value(), 0.0);
+    EXPECT_EQ(figures.hausdorff95_px.value(), 0.0);
+    EXPECT_EQ(figures.boundary_f1.value(), 1.0);
+    EXPECT_EQ(figures.error_px, 0.0);
+    EXPECT_EQ(figures.eps_px.value(), 0.0);
+    EXPECT_EQ(figures.bias_px.value(), 0.0);
+    EXPECT_EQ(figures.over_half_pixel_floor.value(), 0.0);
+}
+
+TEST(Compare, AsksWhetherATruthBelowThePrecisionFloorWasCopied) {
+    Comparison input = comparison(disc(), disc());
+    EXPECT_TRUE(compare(input).copied_truth);
+    EXPECT_THAT(warnings(compare(input)), testing::ElementsAre(testing::HasSubstr("copied")));
+
+    input.exact_by_construction = true;
+    EXPECT_FALSE(compare(input).copied_truth);
+}
+
+TEST(Compare, DoesNotSuspectAMaskOneEighthOfAPixelOff) {
+    const Mask shifted =
+        pictures::draw(kSize, kSize, pictures::Ellipse{{64.325, 63.7}, 30.0, 30.0});
+
+    EXPECT_FALSE(compare(comparison(shifted, disc())).copied_truth);
+}
+
+TEST(Compare, CallsAMissingShadowOneLargeLightLeak) {
+    const Figures figures = compare(comparison(Mask(kSize, kSize), disc()));
+
+    EXPECT_EQ(figures.false_shadow_px, 0.0);
+    EXPECT_NEAR(figures.light_leak_px, 3.14159 * 30.0 * 30.0, 30.0);
+    EXPECT_NEAR(figures.interior.light_leak_px, 3.14159 * 29.3 * 29.3, 60.0);
+    EXPECT_EQ(figures.interior.largest_px, figures.interior.light_leak_px);
+    EXPECT_GT(figures.bias_px.value(), 0.0);
+    EXPECT_EQ(figures.boundary_f1.value(), 0.0);
+    EXPECT_NEAR(figures.chamfer_px.value(), kSize * std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(figures.hausdorff95_px.value(), kSize * std::sqrt(2.0), 1e-9);
+}
+
+TEST(Compare, AgreesWhereNeitherMaskHasAnEdge) {
+    const Figures figures = compare(comparison(Mask(8, 8), Mask(8, 8)));
+
+    EXPECT_EQ(figures.edge_px, 0.0);
+    EXPECT_EQ(figures.boundary_f1.value(), 1.0);
+    EXPECT_EQ(figures.chamfer_px.value(), 0.0);
+    EXPECT_EQ(figures.hausdorff95_px.value(), 0.0);
+    EXPECT_EQ(figures.mean_error.value(), 0.0);
+}
+
+TEST(Compare, GivesNoErrorPerEdgeWhereTheEdgeIsShort) {
+    const Mask small = pictures::draw(16, 16, pictures::Ellipse{{8.0, 8.0}, 3.0, 3.0});
+
+    const Figures figures = compare(comparison(Mask(16, 16), small));
+
+    EXPECT_FALSE(figures.eps_px.known());
+    EXPECT_THAT(figures.eps_px.reason(), testing::HasSubstr("32 px"));
+    EXPECT_FALSE(figures.over_precision_floor.known());
+    EXPECT_FALSE(figures.copied_truth);
+    EXPECT_NEAR(figures.mean_error.value(), figures.light_leak_px / 256.0, 1e-9);
+}
+
+TEST(Compare, CountsTheLargestBlobOverCornersToo) {
+    Mask measured(32, 32);
+    for (const int i : {4, 5, 6, 7})
+        measured.at(i, i) = 0.0F; // joined by corners alone
+    measured.at(20, 20) = measured.at(21, 20) = 0.0F;
+
+    const Figures figures = compare(comparison(measured, Mask(32, 32)));
+
+    EXPECT_EQ(figures.interior.false_shadow_px, 6.0);
+    EXPECT_EQ(figures.interior.largest_px, 4.0);
+    EXPECT_NEAR(figures.interior.components.value(), 2.0 * 1000.0 / 1024.0, 1e-9);
+}
+
+TEST(Compare, TellsAcneByManySmallComponents) {
+    constexpr int kWide = 256;
+    constexpr double kDensity = 0.01;
+    engine::Random random(3);
+    const Mask measured = pictures::draw(
+        kWide, kWide, [&](pictures::Place) { return random.uniform() < kDensity ? 0.0 : 1.0; });
+
+    const Figures figures = compare(comparison(measured, Mask(kWide, kWide)));
+
+    EXPECT_NEAR(figures.interior.false_shadow_px / (kWide * kWide), kDensity, 0.001);
+    // Four of the eight neighbours can join a pixel to a component that an earlier pixel started.
+    EXPECT_NEAR(
+        figures.interior.components.value(), 1000.0 * kDensity * (1.0 - 4.0 * kDensity), 0.7);
+    EXPECT_LE(figures.interior.largest_px, 6.0);
+}
+
+TEST(Compare, SetsPlainResolutionErrorApartFromStructure) {
+    const pictures::StraightEdge truth = pictures::upright_edge(64.0);
+    const pictures::StraightEdge shifted = pictures::upright_edge(67.0);
+    Comparison input =
+        comparison(pictures::draw(kSize, kSize, shifted), pictures::draw(kSize, kSize, truth));
+    input.measured.at(100, 40) = 0.0F;
+    input.resolution_band_px = {3.0F};
+
+    const Figures figures = compare(input);
+
+    EXPECT_EQ(figures.interior.false_shadow_px, 2.0 * kSize + 1.0);
+    EXPECT_EQ(figures.far_false_shadow_px.value(), 1.0);
+    EXPECT_EQ(figures.far_largest_px.value(), 1.0);
+    EXPECT_EQ(figures.far_light_leak_px.value(), 0.0);
+}
+
+TEST(Compare, TakesABandPerPixel) {
+    Comparison input = comparison(
+        pictures::draw(16, 16, pictures::upright_edge(11.0)),
+        pictures::draw(16, 16, pictures::upright_edge(8.0)));
+    input.resolution_band_px.assign(256, 0.0F);
+    std::fill(input.resolution_band_px.begin(), input.resolution_band_px.begin() + 128, 3.0F);
+
+    EXPECT_EQ(compare(input).far_false_shadow_px.value(), 2.0 * 8.0);
+}
+
+TEST(Compare, LeavesOutWhatIsNotValidAndReportsItsShare) {
+    Comparison input = comparison(Mask(10, 10, 0.0F), Mask(10, 10));
+    for (std::size_t i = 0; i < 100; ++i)
+        input.kind[i] = i < 20   ? PixelKind::empty
+                        : i < 24 ? PixelKind::mismatch
+                        : i < 32 ? PixelKind::undecided
+                        : i < 35 ? PixelKind::grazing
+                        : i < 40 ? PixelKind::facing_away
+                                 : PixelKind::valid;
+
+    const Figures figures = compare(input);
+
+    EXPECT_EQ(figures.valid_px, 60.0);
+    EXPECT_EQ(figures.false_shadow_px, 60.0);
+    EXPECT_EQ(figures.error_px, 60.0);
+    EXPECT_EQ(figures.grazing_px, 3.0);
+    EXPECT_EQ(figures.grazing_wrong_px, 3.0);
+    EXPECT_NEAR(figures.invalid_share.value(), 0.05, 1e-9);
+    EXPECT_NEAR(figures.undecided_share.value(), 0.1, 1e-9);
+    EXPECT_EQ(warnings(figures).size(), 2U);
+}
+
+TEST(Compare, DoesNotCountUndecidedPixelsAtAnEdge) {
+    const Mask mask = pictures::draw(16, 16, pictures::upright_edge(8.0));
+    Comparison input = comparison(mask, mask);
+    input.kind[mask.index(8, 3)] = PixelKind::undecided;
+
+    EXPECT_EQ(compare(input).undecided_share.value(), 0.0);
+}
+
+TEST(Compare, SaysWhyNothingIsKnownWithoutValidPixels) {
+    Comparison input = comparison(Mask(4, 4), Mask(4, 4, 0.0F));
+    input.kind.assign(16, PixelKind::empty);
+
+    const Figures figures = compare(input);
+
+    EXPECT_EQ(figures.mean_error.reason(), "no valid pixels");
+    EXPECT_EQ(figures.interior.components.reason(), "no valid pixels");
+    EXPECT_EQ(figures.invalid_share.reason(), "no surface in the picture");
+    EXPECT_EQ(figures.light_leak_px, 0.0);
+}
+
+TEST(Compare, TakesPicturesOfOnePixelAndOfNone) {
+    EXPECT_EQ(compare(comparison(Mask(1, 1), Mask(1, 1, 0.0F))).interior.light_leak_px, 1.0);
+    EXPECT_EQ(compare(comparison(Mask(0, 0), Mask(0, 0))).valid_px, 0.0);
+}
+
+TEST(Compare, FindsADarkPatchThatWasDarkenedTwice) {
+    Mask truth(20, 20);
+    for (int y = 0; y < 20; ++y)
+        truth.at(3, y) = 0.0F;
+    Comparison input = comparison(truth, truth);
+    for (int y = 0; y < 20; ++y)
+        input.kind[truth.index(10, y)] = PixelKind::facing_away;
+    input.reference_luminance.assign(400, 0.2F);
+    input.luminance.assign(400, 0.2F);
+    const auto darken = [&](int x, int y, float by) { input.luminance[truth.index(x, y)] -= by; };
+    darken(3, 0, 0.1F);          // in the shadow: counts
+    darken(10, 5, 0.1F);         // turned away: counts
+    darken(3, 1, 1.5F / 255.0F); // within the tolerance
+    darken(15, 5, 0.1F);         // lit by right: another figure's business
+
+    EXPECT_EQ(compare(input).double_dark_px.value(), 2.0);
+    EXPECT_FALSE(compare(comparison(truth, truth)).double_dark_px.known());
+}
+
+} // namespace
+} // namespace measure
