@@ -19,7 +19,7 @@ constexpr std::string_view component_name() {
 }
 
 /// Prints "ecs: entity 7 (generation 2) is not alive" or "... has no scene::Transform" and aborts.
-[[noreturn]] inline void misuse(Entity entity, std::string_view what, std::string_view type = {}) {
+[[noreturn]] inline void misuse(Entity entity, std::string_view what, std::string_view type = "") {
     std::fprintf(
         stderr,
         "ecs: entity %u (generation %u) %.*s%.*s\n",
