@@ -1,6 +1,9 @@
 # forbid_links(<target> <regex>): configuring fails when anything that the target links, directly or through others,
 # has a matching name. The linker holds the wall by itself only for what the target forgets to link.
 function(forbid_links target pattern)
+    if(NOT TARGET ${target})
+        message(SEND_ERROR "forbid_links: there is no target ${target}")
+    endif()
     set(open ${target})
     set(seen "")
     while(open)
