@@ -83,13 +83,15 @@ Context::~Context() {
 }
 
 void Context::on_message(
-    GLenum /*source*/,
+    GLenum source,
     GLenum type,
     GLuint /*id*/,
     GLenum severity,
     GLsizei length,
     const GLchar* text,
     const void* user) {
+    // A shader that does not compile is an error of its file, which the shader library returns.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     // OpenGL keeps the pointer as const; it is the `this` of the constructor.
     auto* context = static_cast<Context*>(
         const_cast<void*>(user)); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above

@@ -51,8 +51,9 @@ void Frame::draw(const Program& program, const VertexArray& vertices, const Draw
             mode,
             count,
             GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
-                                                         // OpenGL's own convention
+            reinterpret_cast<const void*>(
+                offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
+                               // OpenGL's own convention
             instances,
             range.base_vertex,
             range.base_instance);
@@ -77,8 +78,9 @@ void Frame::draw_indirect(
     glMultiDrawElementsIndirect(
         static_cast<GLenum>(range.primitive),
         GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
-                                                     // OpenGL's own convention
+        reinterpret_cast<const void*>(
+            offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
+                           // OpenGL's own convention
         static_cast<GLsizei>(range.count),
         0);
     ++counters_.draws;

@@ -1,4 +1,4 @@
-// The part of shader_source.hpp that works on text: includes, defines, line numbers and messages.
+// The part of shader_source.hpp that works on text: includes, defines and messages.
 
 #include "engine/gpu/shader_source.hpp"
 
@@ -50,13 +50,12 @@ public:
     engine::Result<void> add_file(const std::string& name) {
         engine::Result<std::string> text = read_(name);
         if (!text) return text.error();
-        const std::size_t file = result.files.size();
         result.files.push_back(name);
 
         std::string_view rest = *text;
         for (int line_number = 1; !rest.empty(); ++line_number) {
             const std::string_view line = take_line(rest);
-            engine::Result<void> added = add_line(line, {name, line_number}, file);
+            engine::Result<void> added = add_line(line, {name, line_number});
             if (!added) return added;
         }
         return {};
@@ -66,28 +65,26 @@ public:
     ExpandedShader result;
 
 private:
-    engine::Result<void>
-    add_line(std::string_view line, const engine::SourcePlace& place, std::size_t file) {
-        if (const auto version = directive(line, "version")) {
-            if (file != 0) return engine::Error{"#version may stand in main files only", place};
-            result.text += fmt::format("#version {}\n", *version);
-            add_defines();
-            continue_at(place.line + 1, file);
+    engine::Result<void> add_line(std::string_view line, const engine::SourcePlace& place) {
+        if (directive(line, "version")) {
+            if (result.files.size() > 1) {
+                return engine::Error{"#version may stand in main files only", place};
+            }
             has_version_ = true;
+            put(line, place);
+            for (const std::string& define : defines_)
+                put(define_line(define), place);
         } else if (const auto target = directive(line, "include")) {
-            return include(*target, place, file);
-        } else if (directive(line, "pragma") == "once") {
-            result.text += '\n';
+            return include(*target, place);
         } else {
-            result.text.append(line).push_back('\n');
+            put(directive(line, "pragma") == "once" ? "" : line, place);
         }
         return {};
     }
 
-    engine::Result<void>
-    include(std::string_view target, const engine::SourcePlace& place, std::size_t file) {
+    engine::Result<void> include(std::string_view target, const engine::SourcePlace& place) {
         if (target.starts_with('<')) {
-            result.text += '\n';
+            put("", place);
             return {};
         }
         const std::size_t end = target.find('"', 1);
@@ -96,33 +93,27 @@ private:
         }
         if (!has_version_) return engine::Error{"#include stands before #version", place};
         const std::string name(target.substr(1, end - 1));
-        const bool done =
-            std::find(result.files.begin(), result.files.end(), name) != result.files.end();
-        if (!done) {
-            continue_at(1, result.files.size());
-            engine::Result<void> added = add_file(name);
-            if (!added) {
-                engine::Error error = added.error();
-                if (error.place.file.empty()) error.place = place;
-                return error;
-            }
+        if (std::find(result.files.begin(), result.files.end(), name) != result.files.end()) {
+            return {};
         }
-        continue_at(place.line + 1, file);
-        return {};
+        engine::Result<void> added = add_file(name);
+        if (added) return {};
+        engine::Error error = added.error();
+        if (error.place.file.empty()) error.place = place;
+        return error;
     }
 
-    void add_defines() {
-        for (const std::string& define : defines_) {
-            const std::size_t equals = define.find('=');
-            const std::string_view value = equals == std::string::npos
-                                               ? std::string_view()
-                                               : std::string_view(define).substr(equals + 1);
-            result.text += fmt::format("#define {} {}\n", define.substr(0, equals), value);
-        }
+    void put(std::string_view line, const engine::SourcePlace& place) {
+        result.text.append(line).push_back('\n');
+        result.lines.push_back(place);
     }
 
-    void continue_at(int line, std::size_t file) {
-        result.text += fmt::format("#line {} {}\n", line, file);
+    /// "#define NAME VALUE" of "NAME=VALUE".
+    static std::string define_line(std::string_view define) {
+        const std::size_t equals = define.find('=');
+        const std::string_view name = define.substr(0, equals);
+        if (equals == std::string_view::npos) return fmt::format("#define {}", name);
+        return fmt::format("#define {} {}", name, define.substr(equals + 1));
     }
 
     std::span<const std::string> defines_;
@@ -149,13 +140,13 @@ bool take(std::string_view& text, std::string_view prefix) {
     return true;
 }
 
-LogLine parse_log_line(std::string_view line, std::span<const std::string> files) {
+LogLine parse_log_line(std::string_view line, const ExpandedShader& shader) {
     const LogLine unchanged = {{}, std::string(line)};
     std::string_view rest = line;
-    const bool error_first = take(rest, "ERROR: "); // a third form: "ERROR: 2:17: text"
-    std::size_t file = 0;
+    const bool error_first = take(rest, "ERROR: "); // a third form: "ERROR: 0:17: text"
+    std::size_t file = 0;                           // of no use: see ExpandedShader
     std::size_t number = 0;
-    if (!take_number(rest, file) || file >= files.size()) return unchanged;
+    if (!take_number(rest, file)) return unchanged;
     if (take(rest, "(")) {
         if (!take_number(rest, number) || !take(rest, ")")) return unchanged;
     } else {
@@ -164,10 +155,9 @@ LogLine parse_log_line(std::string_view line, std::span<const std::string> files
         if (take(rest, "(") && (!take_number(rest, column) || !take(rest, ")"))) return unchanged;
     }
     rest = trimmed(rest);
-    if (!take(rest, ":")) return unchanged;
+    if (!take(rest, ":") || number == 0 || number > shader.lines.size()) return unchanged;
     return {
-        {files[file], static_cast<int>(number)},
-        fmt::format("{}{}", error_first ? "error: " : "", trimmed(rest))};
+        shader.lines[number - 1], fmt::format("{}{}", error_first ? "error: " : "", trimmed(rest))};
 }
 
 std::string to_string(const LogLine& line) {
@@ -175,13 +165,13 @@ std::string to_string(const LogLine& line) {
     return fmt::format("{}:{}: {}", line.place.file, line.place.line, line.text);
 }
 
-std::vector<LogLine> parse_log(std::string_view log, std::span<const std::string> files) {
+std::vector<LogLine> parse_log(std::string_view log, const ExpandedShader& shader) {
     std::vector<LogLine> lines;
     while (!log.empty()) {
         const std::string_view line = take_line(log);
         const std::size_t end = line.find_last_not_of(std::string_view(" \t\r\0", 4));
         if (end == std::string_view::npos) continue;
-        lines.push_back(parse_log_line(line.substr(0, end + 1), files));
+        lines.push_back(parse_log_line(line.substr(0, end + 1), shader));
     }
     return lines;
 }
@@ -197,15 +187,15 @@ engine::Result<ExpandedShader> expand_shader(
     return std::move(expander.result);
 }
 
-std::string readable_log(std::string_view log, std::span<const std::string> files) {
+std::string readable_log(std::string_view log, const ExpandedShader& shader) {
     std::string text;
-    for (const LogLine& line : parse_log(log, files))
+    for (const LogLine& line : parse_log(log, shader))
         text += to_string(line) + '\n';
     return text;
 }
 
-engine::Error error_from_log(std::string_view log, std::span<const std::string> files) {
-    const std::vector<LogLine> lines = parse_log(log, files);
+engine::Error error_from_log(std::string_view log, const ExpandedShader& shader) {
+    const std::vector<LogLine> lines = parse_log(log, shader);
     const auto is_error = [](const LogLine& line) {
         return !line.place.file.empty() && line.text.find("error") != std::string::npos;
     };

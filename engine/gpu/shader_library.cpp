@@ -58,7 +58,7 @@ engine::Result<ShaderHandle> compile_stage(const std::string& name, const Expand
     glGetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<std::size_t>(length), '\0');
     glGetShaderInfoLog(shader.name(), length, nullptr, log.data());
-    engine::Error error = error_from_log(log, source.files);
+    engine::Error error = error_from_log(log, source);
     if (error.place.file.empty()) error.place.file = name;
     return error;
 }

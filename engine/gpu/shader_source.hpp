@@ -39,27 +39,29 @@ disk_file(std::span<const ShaderFolder> folders, std::string_view name);
 engine::Result<std::string>
 read_shader(std::span<const ShaderFolder> folders, const std::string& name);
 
-/// A shader with its includes put in.
+/// A shader with its includes put in. There are no #line directives: Mesa forgets their file number
+/// in most of its messages, so the lines of the expanded text are looked up here instead.
 struct ExpandedShader {
-    std::string text;               ///< what the driver gets
-    std::vector<std::string> files; ///< virtual names; the driver knows them by their index
+    std::string text;                       ///< what the driver gets
+    std::vector<std::string> files;         ///< virtual names, the main file first, each once
+    std::vector<engine::SourcePlace> lines; ///< where each line of the text was written
 };
 
 /// Puts in every `#include "root/path"` line (each file once, at its first place, whatever #if
 /// surrounds it) and the defines after #version. `#include <...>` and `#pragma once`, which headers
 /// shared with C++ have, become empty lines.
 ///
-/// @param name    of the main file, whose first line is #version
+/// @param name    of the main file, whose first directive is #version
 /// @param defines "NAME" or "NAME=VALUE"
 /// Errors: a missing file, at the line which includes it; a main file without #version.
 engine::Result<ExpandedShader> expand_shader(
     const std::string& name, std::span<const std::string> defines, const ShaderReader& read);
 
-/// A driver's log in which file numbers are names: "2(17) : error" and "2:17(4): error" become
-/// "render/include/foo.glsl:17: error". Lines of other forms stay as they are.
-std::string readable_log(std::string_view log, std::span<const std::string> files);
+/// A driver's log with the places that people know: "0(17) : error" and "0:17(4): error" become
+/// "render/include/foo.glsl:3: error". Lines of other forms stay as they are.
+std::string readable_log(std::string_view log, const ExpandedShader& shader);
 
-/// Makes an error of a driver's log: its first line that names a place, then the other lines.
-engine::Error error_from_log(std::string_view log, std::span<const std::string> files);
+/// Makes an error of a driver's log: its first error that names a place, then the other lines.
+engine::Error error_from_log(std::string_view log, const ExpandedShader& shader);
 
 } // namespace gpu
