@@ -68,9 +68,9 @@ bool environment_wants_fatal_errors() {
 
 } // namespace
 
-Context::Context(std::shared_ptr<void> native, std::string platform, const ContextOptions& options)
+Context::Context(NativeContext native, const ContextOptions& options)
     : native_(std::move(native)),
-      device_(device_info(std::move(platform))),
+      device_(device_info(native_.platform)),
       errors_fatal_(options.errors_fatal || environment_wants_fatal_errors()) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS); // a fatal message leaves the guilty call on the stack
@@ -79,6 +79,7 @@ Context::Context(std::shared_ptr<void> native, std::string platform, const Conte
 }
 
 Context::~Context() {
+    make_current();
     glDebugMessageCallback(nullptr, nullptr);
 }
 

@@ -10,6 +10,7 @@
 
 #include <epoxy/gl.h>
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -44,17 +45,24 @@ struct DriverMessage {
     std::string text;
 };
 
+/// What a maker of contexts hands over: a native context, current on this thread.
+struct NativeContext {
+    std::shared_ptr<void> owner; ///< destroys the native context with its last copy
+    std::function<void()> make_current;
+    std::string platform; ///< for DeviceInfo
+};
+
 class Context {
 public:
-    /// Takes the native context, which is current on this thread, in charge. For the makers of
-    /// contexts.
-    /// @param native destroys the native context with its last copy
-    Context(std::shared_ptr<void> native, std::string platform, const ContextOptions& options);
+    Context(NativeContext native, const ContextOptions& options);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
     Context(Context&&) = delete;
     Context& operator=(Context&&) = delete;
+
+    /// Makes it current on this thread again, after another context was.
+    void make_current() { native_.make_current(); }
 
     [[nodiscard]] const DeviceInfo& device() const { return device_; }
 
@@ -74,7 +82,7 @@ private:
         const void* user);
     void take_message(GLenum type, GLenum severity, std::string text);
 
-    std::shared_ptr<void> native_;
+    NativeContext native_;
     DeviceInfo device_;
     bool errors_fatal_;
     std::vector<DriverMessage> messages_;

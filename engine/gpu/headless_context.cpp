@@ -112,9 +112,9 @@ std::string egl_failure(std::string_view what) {
 }
 
 /// Makes an OpenGL 4.5 core context current on this thread.
-/// @return the owner of the context
-engine::Result<std::shared_ptr<void>>
-make_current_context(EGLDisplay display, const ContextOptions& options) {
+engine::Result<NativeContext>
+make_native_context(const Candidate& candidate, const ContextOptions& options) {
+    EGLDisplay display = candidate.display;
     if (display == EGL_NO_DISPLAY) return engine::Error{"there is no display"};
     if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
         return engine::Error{egl_failure("eglInitialize")};
@@ -143,23 +143,20 @@ make_current_context(EGLDisplay display, const ContextOptions& options) {
         }
         eglDestroyContext(display, mine);
     });
-    if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
-        return engine::Error{egl_failure("eglMakeCurrent")};
-    }
-    return owner;
+    const auto make_current = [display, context] {
+        return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+    };
+    if (!make_current()) return engine::Error{egl_failure("eglMakeCurrent")};
+    return NativeContext{std::move(owner), make_current, candidate.platform};
 }
 
 } // namespace
 
 engine::Result<std::unique_ptr<Context>> make_headless_context(const ContextOptions& options) {
     std::string tried;
-    for (Candidate& candidate : all_candidates()) {
-        engine::Result<std::shared_ptr<void>> native =
-            make_current_context(candidate.display, options);
-        if (native) {
-            return std::make_unique<Context>(
-                *std::move(native), std::move(candidate.platform), options);
-        }
+    for (const Candidate& candidate : all_candidates()) {
+        engine::Result<NativeContext> native = make_native_context(candidate, options);
+        if (native) return std::make_unique<Context>(*std::move(native), options);
         tried += fmt::format("; {}: {}", candidate.platform, native.error().message);
     }
     if (tried.empty()) tried = "; EGL offers neither devices nor the surfaceless platform";

@@ -90,11 +90,13 @@ engine::Result<std::unique_ptr<Window>> make_window_context(const WindowOptions&
     GLFWwindow* window =
         glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
     if (window == nullptr) return glfw_failure("no window with OpenGL 4.5 core");
-    std::shared_ptr<void> native(
-        window, [library](void* mine) { glfwDestroyWindow(static_cast<GLFWwindow*>(mine)); });
-    glfwMakeContextCurrent(window);
+    NativeContext native = {
+        .owner = {window, [library](GLFWwindow* mine) { glfwDestroyWindow(mine); }},
+        .make_current = [window] { glfwMakeContextCurrent(window); },
+        .platform = "window"};
+    native.make_current();
     glfwSwapInterval(options.vsync ? 1 : 0);
-    auto context = std::make_unique<Context>(std::move(native), "window", options.context);
+    auto context = std::make_unique<Context>(std::move(native), options.context);
     return std::unique_ptr<Window>(
         new Window(window, std::move(context))); // NOLINT(cppcoreguidelines-owning-memory):
                                                  // make_unique cannot reach the private constructor

@@ -33,6 +33,7 @@ gpu::Context* shared_context() {
 
 void GlTest::SetUp() {
     if (shared_context() == nullptr) GTEST_SKIP() << shared().failure;
+    context().make_current();
     errors_before_ = context().error_count();
 }
 
