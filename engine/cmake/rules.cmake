@@ -4,7 +4,9 @@ target_compile_features(project_rules INTERFACE cxx_std_20)
 target_include_directories(project_rules INTERFACE "${PROJECT_SOURCE_DIR}")
 target_compile_options(project_rules INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast
-    -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion)
+    -Wnon-virtual-dtor -Woverloaded-virtual -Wdouble-promotion
+    # GCC 12 raises false alarms about std::string here (its bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 target_compile_definitions(project_rules INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_ENABLE_EXPERIMENTAL)
 
 function(engine_target name)

@@ -1,6 +1,7 @@
 #include "engine/render/textures.hpp"
 
 #include "engine/core/check.hpp"
+#include "engine/gpu/buffer.hpp"
 
 namespace render {
 

@@ -137,7 +137,7 @@ FramePlan pick(
             const glm::dvec3 nearest =
                 glm::clamp(scene.camera.position, receiver.bounds.min, receiver.bounds.max);
             const double distance = glm::length(nearest - scene.camera.position);
-            const scene::ShadowWish wish = settings.resolve(light.name, receiver.name, distance);
+            const scene::ShadowWish wish = settings.resolve(light, receiver.name, distance);
             frame.plans.push_back(
                 pick_pair({scene, light, receiver}, pair, frame.groups.back(), wish, techniques, profile));
         }

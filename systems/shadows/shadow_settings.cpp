@@ -39,18 +39,18 @@ ShadowSettings ShadowSettings::from(const scene::SceneDescription& description) 
 }
 
 scene::ShadowWish
-ShadowSettings::resolve(std::string_view light, std::string_view receiver, double distance) const {
+ShadowSettings::resolve(const scene::PlacedLight& light, std::string_view receiver, double distance) const {
     scene::ShadowWish wish = scene;
-    if (const auto found = lights.find(light); found != lights.end()) overlay(wish, found->second);
+    if (const auto found = lights.find(light.name); found != lights.end()) overlay(wish, found->second);
     for (const auto& [name, of_receiver] : receivers)
         if (belongs_to(receiver, name)) overlay(wish, of_receiver);
     for (const scene::RuleDescription& rule : rules) {
-        const bool applies = (!rule.light || *rule.light == light) &&
+        const bool applies = (!rule.light || *rule.light == light.name) &&
                              (!rule.receiver || belongs_to(receiver, *rule.receiver)) &&
                              (!rule.distance || distance >= static_cast<double>(*rule.distance));
         if (applies) overlay(wish, rule.shadow);
     }
-    overlay(wish, overriding);
+    if (const auto found = overriding.find(light.light.kind); found != overriding.end()) overlay(wish, found->second);
     return wish;
 }
 

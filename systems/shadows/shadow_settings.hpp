@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/scene/description.hpp"
+#include "engine/scene/light.hpp"
 
 #include <map>
 #include <string>
@@ -17,7 +18,8 @@ struct ShadowSettings {
     std::map<std::string, scene::ShadowWish, std::less<>> lights;    ///< by the light's name
     std::map<std::string, scene::ShadowWish, std::less<>> receivers; ///< by the model's name
     std::vector<scene::RuleDescription> rules;
-    scene::ShadowWish overriding; ///< the command line or the tuning panel
+    /// The command line or the tuning panel, by the light's kind.
+    std::map<scene::LightKind, scene::ShadowWish> overriding;
 
     static ShadowSettings from(const scene::SceneDescription& description);
 
@@ -25,7 +27,7 @@ struct ShadowSettings {
     /// @param receiver name of a receiver; its patches ("floor#2") and nodes ("hero/arm") follow their model ("floor")
     /// @param distance from the camera to the receiver, metres
     [[nodiscard]] scene::ShadowWish
-    resolve(std::string_view light, std::string_view receiver, double distance) const;
+    resolve(const scene::PlacedLight& light, std::string_view receiver, double distance) const;
 };
 
 /// The accepted error where nobody set one, in pixels of edge displacement.

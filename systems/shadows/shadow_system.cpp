@@ -83,7 +83,7 @@ engine::Result<void> ShadowSystem::update_due_jobs(const render::FrameInput& inp
         const LightView& light = scene_.lights[running.light];
         std::string wanted = fingerprint(light, running.plans);
         if (!always_refresh && !world_changed && wanted == running.drawn_for) continue;
-        const scene::ShadowWish wish = settings.resolve(light.name, "", 0.0);
+        const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{scene_, running.light, groups, running.plans, receiver_end, wish, ask_truth};
         if (auto updated = running.job->update(request); !updated) return updated;

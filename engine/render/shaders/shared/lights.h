@@ -15,10 +15,10 @@ using glm::vec4;
 #define LIGHTS_BINDING 1
 #define MAX_BATCH_LIGHTS 32
 #define MAX_MASK_LAYERS 8
-#define LIGHT_DIRECTIONAL 0.0
-#define LIGHT_SPOT 1.0
-#define LIGHT_POINT 2.0
-#define NO_MASK_LAYER -1.0
+#define LIGHT_DIRECTIONAL 0.0f
+#define LIGHT_SPOT 1.0f
+#define LIGHT_POINT 2.0f
+#define NO_MASK_LAYER -1.0f
 
 struct LightData {
     vec4 position_kind;   ///< relative position, LIGHT_...

@@ -1,0 +1,24 @@
+// The subcommands: each adds its options to the command line and, when it was called, runs.
+
+#pragma once
+
+#include "tools/gnomon/exit_codes.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gnomon {
+
+/// A subcommand after its options were read. @return an ExitCode
+using Run = std::function<int()>;
+
+Run add_render(CLI::App& app);
+Run add_measure(CLI::App& app);
+Run add_check(CLI::App& app);
+Run add_play(CLI::App& app);
+
+} // namespace gnomon

@@ -1,0 +1,37 @@
+// A scene file (.lua, .glb or .gltf) as a world that is ready to be drawn.
+
+#pragma once
+
+#include "engine/core/result.hpp"
+#include "engine/scene/camera.hpp"
+#include "engine/scene/light.hpp"
+#include "engine/scene/world.hpp"
+#include "systems/shadows/shadow_settings.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+struct Level {
+    std::string name; ///< file name without its extension
+    scene::World world;
+    shadows::ShadowSettings shadows;
+    std::optional<float> exposure;
+    std::vector<std::string> warnings; ///< one sentence each
+};
+
+/// Loads, builds and poses the scene at time 0.
+/// Errors: every mistake in the file, a line each.
+engine::Result<Level> load_level(const std::filesystem::path& file);
+
+/// The camera of that name; with an empty name the file's first, else one that frames the scene.
+/// Errors: no camera of that name, with the nearest one.
+engine::Result<scene::CameraView> choose_camera(const Level& level, const std::string& name, int width, int height);
+
+/// Prints warnings on standard error.
+void print_warnings(const Level& level);
+
+} // namespace gnomon

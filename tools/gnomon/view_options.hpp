@@ -1,0 +1,52 @@
+// Options that several subcommands share: what to look at, how large, and what is asked of shadows.
+
+#pragma once
+
+#include "engine/core/result.hpp"
+#include "engine/scene/description.hpp"
+#include "engine/scene/light.hpp"
+#include "systems/shadows/shadow_technique.hpp"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace gnomon {
+
+struct ViewOptions {
+    std::string size = "1280x720";
+    std::string camera;
+    /// @return width and height. Errors: not WIDTHxHEIGHT, or a side that is not 1 to 16384
+    [[nodiscard]] engine::Result<glm::ivec2> size_px() const;
+};
+
+struct ShadowOptions {
+    std::string technique = "auto";
+    std::optional<int> map_size;
+    std::optional<std::string> filter;
+    std::optional<int> samples;
+    std::optional<float> error_px;
+    std::optional<float> shadow_ms;
+    std::string refresh = "auto";
+
+    /// What overrides every other wish. "map" is the map technique of the light's kind.
+    [[nodiscard]] scene::ShadowWish wish(scene::LightKind kind) const;
+};
+
+void add_view_options(CLI::App& command, ViewOptions& options);
+void add_shadow_options(CLI::App& command, ShadowOptions& options);
+
+/// Errors: a technique that does not exist, with the nearest one.
+engine::Result<void> check_technique(const std::string& word, const shadows::Techniques& techniques);
+
+/// Why a technique cannot serve these lights at all in this build, or nothing.
+std::optional<std::string> missing_technique(
+    const ShadowOptions& options, std::span<const scene::PlacedLight> lights, const shadows::Techniques& techniques);
+
+} // namespace gnomon
