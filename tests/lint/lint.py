@@ -62,6 +62,13 @@ LIBRARIES = [
     (r".*[./]", "a library", {name for name, _ in LAYERS} - {"ecs"}),
 ]
 
+# Folders of shaders under the names that #include sees (embed_shaders); GLSL and C++ share the headers there.
+SHADER_ROOTS = {
+    "gpu": "engine/gpu/shaders",
+    "render": "engine/render/shaders",
+    "shadows": "systems/shadows/shaders",
+}
+
 CXX = {".cpp", ".hpp", ".h"}
 SHADERS = {".glsl", ".vert", ".frag", ".geom", ".comp"}
 CODE = CXX | SHADERS | {".lua", ".py"}
@@ -86,7 +93,10 @@ def check_include(path, bracket, target, root):
     layer = layer_of(path)
     if ".." in target.split("/"):
         return "include climbs with '../'; includes are written from the root"
-    if bracket == "<":
+    first, _, rest = target.partition("/")
+    if first in SHADER_ROOTS:
+        target = f"{SHADER_ROOTS[first]}/{rest}"
+    elif bracket == "<":
         for pattern, library, layers in LIBRARIES:
             if re.match(pattern, target):
                 allowed = layer in layers or layer == "tests"
