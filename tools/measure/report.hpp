@@ -46,9 +46,9 @@ public:
     /// Every column with its cells, in the order of the files.
     [[nodiscard]] std::vector<Column> columns() const;
 
-    /// Aligned columns for a terminal, under their names and units. A figure that is missing is "-"
-    /// with a letter, and its reason stands below the table; so do doubts and gates that were not
-    /// passed.
+    /// Aligned columns for a terminal, under their names and units, a word a line. A figure that is
+    /// missing is "-" with a letter, and its reason stands below the table; so do doubts and gates
+    /// that were not passed.
     [[nodiscard]] std::string table() const;
     /// RFC 4180; the first line names the columns; a missing figure is an empty field.
     [[nodiscard]] std::string csv() const;

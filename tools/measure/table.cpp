@@ -36,16 +36,31 @@ private:
     std::vector<std::string> reasons_;
 };
 
-/// A column as text: name, unit, then one line per row.
+/// The words of a column's name, and its unit: one a line, so that columns stay narrow.
+std::vector<std::string> heading(const Column& column) {
+    std::vector<std::string> words(1);
+    for (const char letter : column.name) {
+        if (letter == '_')
+            words.emplace_back();
+        else
+            words.back() += letter;
+    }
+    if (words.back() == column.unit) words.pop_back();
+    words.emplace_back(column.unit);
+    return words;
+}
+
+/// A column as text: its heading, then one line per row.
 struct TextColumn {
     std::vector<std::string> lines;
     std::size_t width = 0;
     bool left = false; ///< words stand left, numbers right
 };
 
-TextColumn text_column(const Column& column, Notes& notes) {
+TextColumn text_column(const Column& column, std::size_t heading_lines, Notes& notes) {
     TextColumn result;
-    result.lines = {std::string(column.name), std::string(column.unit)};
+    result.lines = heading(column);
+    result.lines.insert(result.lines.begin(), heading_lines - result.lines.size(), std::string());
     for (const Cell& cell : column.cells) {
         if (const auto* text = std::get_if<std::string>(&cell)) {
             result.left = true;
@@ -64,13 +79,18 @@ TextColumn text_column(const Column& column, Notes& notes) {
 } // namespace
 
 std::string Report::table() const {
+    std::vector<Column> shown = columns();
+    std::erase_if(shown, [](const Column& column) { return column.decimals == kNotInTable; });
+    std::size_t heading_lines = 0;
+    for (const Column& column : shown)
+        heading_lines = std::max(heading_lines, heading(column).size());
     Notes notes;
     std::vector<TextColumn> texts;
-    for (const Column& column : columns())
-        if (column.decimals != kNotInTable) texts.push_back(text_column(column, notes));
+    for (const Column& column : shown)
+        texts.push_back(text_column(column, heading_lines, notes));
 
     std::string result;
-    for (std::size_t line = 0; line < rows_.size() + 2; ++line) {
+    for (std::size_t line = 0; line < heading_lines + rows_.size(); ++line) {
         std::string row;
         for (const TextColumn& column : texts) {
             const char* const format = column.left ? "{:<{}}  " : "{:>{}}  ";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tools/measure/figures.hpp"
 
@@ -87,8 +88,8 @@ TEST(Compare, GivesNoErrorPerEdgeWhereTheEdgeIsShort) {
 
 TEST(Compare, CountsTheLargestBlobOverCornersToo) {
     Mask measured(32, 32);
-    for (const int i : {4, 5, 6, 7})
-        measured.at(i, i) = 0.0F; // joined by corners alone
+    for (const auto& [x, y] : {std::pair(4, 4), {5, 5}, {6, 6}, {7, 5}})
+        measured.at(x, y) = 0.0F; // down and up again, joined by corners alone
     measured.at(20, 20) = measured.at(21, 20) = 0.0F;
 
     const Figures figures = compare(comparison(measured, Mask(32, 32)));
@@ -120,7 +121,7 @@ TEST(Compare, SetsPlainResolutionErrorApartFromStructure) {
     Comparison input =
         comparison(pictures::draw(kSize, kSize, shifted), pictures::draw(kSize, kSize, truth));
     input.measured.at(100, 40) = 0.0F;
-    input.resolution_band_px = {3.0F};
+    input.resolution_band_px = {2.5F}; // the band's own end belongs to it
 
     const Figures figures = compare(input);
 

@@ -237,6 +237,22 @@ TEST(MotionRecorder, CountsAShadowThatFlipsInEveryFrame) {
     EXPECT_NEAR(figures.pop.value(), 1.0, 0.1);
 }
 
+TEST(MotionRecorder, ReadsUndecidedPixelsButNoOtherUnusableOnes) {
+    const auto tracked = [](PixelKind kind) {
+        MotionRecorder recorder(walk_points());
+        for (int k = 0; k < 2; ++k) {
+            Comparison frame = Walk().frame(0.1);
+            if (k == 1) frame.kind.assign(frame.kind.size(), kind);
+            Walk().record(recorder, std::move(frame));
+        }
+        return recorder.figures().tracked_points.value();
+    };
+
+    EXPECT_GT(tracked(PixelKind::valid), 1900.0);
+    EXPECT_EQ(tracked(PixelKind::undecided), tracked(PixelKind::valid));
+    EXPECT_EQ(tracked(PixelKind::grazing), 0.0);
+}
+
 TEST(MotionRecorder, DropsPointsThatSomethingElseHides) {
     MotionRecorder recorder(walk_points());
     for (int k = 0; k < 3; ++k) {
