@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     app.name("gnomon");
     app.require_subcommand(1);
     const std::vector<gnomon::Run> runs = {
-        gnomon::add_render(app), gnomon::add_check(app)};
+        gnomon::add_render(app), gnomon::add_measure(app), gnomon::add_check(app), gnomon::add_play(app)};
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (const std::string problem = unknown_word(app, words); !problem.empty()) {
         fmt::print(stderr, "gnomon: {}\n", problem);

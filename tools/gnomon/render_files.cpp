@@ -2,12 +2,11 @@
 
 #include "engine/scene/views.hpp"
 #include "systems/shadows/plan_json.hpp"
+#include "tools/gnomon/text_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cctype>
-#include <fstream>
 #include <set>
 
 namespace gnomon {
@@ -22,14 +21,6 @@ std::uint64_t hash_of(const engine::Image& image) {
     for (const std::uint8_t byte : image.bytes)
         hash = (hash ^ byte) * 0x100000001b3ULL;
     return hash;
-}
-
-engine::Result<void> write_text(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) return engine::Error{"could not be written; expected a folder with room", {file.string()}};
-    return {};
 }
 
 /// Ids as colours: 8 bits in each of red, green and blue, lowest first.
@@ -106,22 +97,13 @@ engine::Result<void> write_masks(Studio& studio, const PictureWriter& writer) {
 
 } // namespace
 
-std::string file_word(const std::string& name) {
-    std::string word = name;
-    for (char& letter : word)
-        if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '-' && letter != '.') letter = '_';
-    return word;
-}
-
 std::optional<std::string> unsupported(Studio& studio, const Level& level, const ShadowOptions& options) {
     return missing_technique(options, scene::placed_lights(level.world), studio.shadows().techniques());
 }
 
 engine::Result<void> write_render_files(
     Studio& studio, const std::filesystem::path& folder, const std::optional<FrameTimes>& times, bool hash) {
-    std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
-    if (problem) return engine::Error{fmt::format("could not be made: {}", problem.message()), {folder.string()}};
+    if (auto made = make_folder(folder); !made) return made;
     const engine::Image color = studio.color();
     const PictureWriter writer(folder, hash);
     // Statistics first: reading masks draws them again.

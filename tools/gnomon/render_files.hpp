@@ -11,9 +11,6 @@
 
 namespace gnomon {
 
-/// A light's name as part of a file name: letters, digits, '-', '.' stay, everything else becomes '_'.
-std::string file_word(const std::string& name);
-
 /// Why the technique asked for cannot serve this level's lights in this build, or nothing.
 std::optional<std::string> unsupported(Studio& studio, const Level& level, const ShadowOptions& options);
 

@@ -1,0 +1,81 @@
+#include "tools/gnomon/comparing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+
+namespace {
+
+/// The figures call "no surface" 0; entities count from 0.
+std::uint32_t surface_number(std::uint32_t entity) {
+    return entity == ecs::kNoEntity.value ? 0 : entity + 1;
+}
+
+measure::PixelEvidence evidence_at(std::size_t pixel, const truth::TruthImage& truth, const DrawnSurfaces& drawn) {
+    measure::PixelEvidence evidence;
+    evidence.measured_entity = surface_number(drawn.entity[pixel]);
+    evidence.truth_entity = surface_number(truth.image.entity[pixel]);
+    evidence.measured_depth = drawn.depth[pixel];
+    evidence.truth_depth = truth.image.depth[pixel];
+    evidence.n_dot_l = truth.image.n_dot_l[pixel];
+    evidence.undecided = truth.undecided[pixel] != 0;
+    return evidence;
+}
+
+std::uint8_t byte_of(float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+}
+
+} // namespace
+
+DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera) {
+    DrawnSurfaces drawn;
+    drawn.depth = studio.view_depth(camera);
+    const scene::ReceiverTable& receivers = studio.renderer().receivers();
+    std::vector<std::uint32_t> entity_of(receivers.end(), ecs::kNoEntity.value);
+    for (const scene::ReceiverRange& range : receivers.ranges())
+        std::fill_n(entity_of.begin() + range.first, range.count, range.entity.value);
+    for (const std::uint32_t id : studio.receiver_ids())
+        drawn.entity.push_back(entity_of[id]);
+    return drawn;
+}
+
+std::vector<float> display_luminance(const engine::Image& color) {
+    std::vector<float> luminance(color.pixel_count());
+    for (std::size_t i = 0; i < luminance.size(); ++i) {
+        const std::uint8_t* pixel = color.bytes.data() + i * static_cast<std::size_t>(color.channels);
+        luminance[i] = (0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1]) +
+                        0.0722F * static_cast<float>(pixel[2])) /
+                       255.0F;
+    }
+    return luminance;
+}
+
+measure::Comparison make_comparison(
+    const engine::Image& mask, const truth::TruthImage& truth, const DrawnSurfaces& drawn, bool soft) {
+    measure::Mask true_mask(truth.image.width, truth.image.height);
+    true_mask.visibility = truth.image.visibility;
+    measure::Comparison comparison = measure::comparison(measure::mask_from_image(mask), std::move(true_mask), soft);
+    for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel)
+        comparison.kind[pixel] = measure::classify(evidence_at(pixel, truth, drawn));
+    return comparison;
+}
+
+engine::Image error_image(const measure::Comparison& comparison) {
+    engine::Image image(comparison.measured.width, comparison.measured.height, 3);
+    for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel) {
+        const float measured = comparison.measured.visibility[pixel];
+        const float truth = comparison.truth.visibility[pixel];
+        glm::vec3 color = glm::vec3(0.25F + 0.5F * truth) * glm::vec3(0.85F, 1.0F, 0.85F);
+        const float error = std::abs(measured - truth);
+        const glm::vec3 wrong = measured < truth ? glm::vec3(1.0F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 1.0F);
+        color = glm::mix(color, wrong, error);
+        if (comparison.kind[pixel] != measure::PixelKind::valid) color = glm::vec3(0.35F);
+        for (int channel = 0; channel < 3; ++channel)
+            image.bytes[3 * pixel + static_cast<std::size_t>(channel)] = byte_of(color[channel]);
+    }
+    return image;
+}
+
+} // namespace gnomon

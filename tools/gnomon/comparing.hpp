@@ -1,0 +1,34 @@
+// One light of one frame, drawn and true, made ready for the figures.
+
+#pragma once
+
+#include "tools/gnomon/studio.hpp"
+#include "tools/measure/mask.hpp"
+#include "tools/truth/truth.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace gnomon {
+
+/// What the rasteriser saw: one value per pixel, top row first.
+struct DrawnSurfaces {
+    std::vector<std::uint32_t> entity; ///< Entity::value; that of kNoEntity where nothing is
+    std::vector<float> depth;          ///< view depth, metres
+};
+
+/// Of the studio's last frame.
+DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera);
+
+/// Luminance in [0, 1] of what a display would show. Source: ITU-R BT.709 weights.
+std::vector<float> display_luminance(const engine::Image& color);
+
+/// Every pixel classified. Luminances are left empty.
+measure::Comparison make_comparison(
+    const engine::Image& mask, const truth::TruthImage& truth, const DrawnSurfaces& drawn, bool soft);
+
+/// Green where both agree, red where it is dark but should be lit, blue where it is lit but should be dark; pixels that no
+/// figure uses are grey.
+engine::Image error_image(const measure::Comparison& comparison);
+
+} // namespace gnomon
