@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gpu/shared/glsl.h"
+
 namespace gpu {
 namespace {
 
@@ -139,6 +141,21 @@ TEST_F(ShaderLibraryGl, CompilesEachVariantOnce) {
     (*full)->set("scale", 1.0F);
     EXPECT_EQ(painted(**half), 51);
     EXPECT_EQ(painted(**full), 255);
+}
+
+/// A header as modules share it, compiled by both languages.
+TEST_F(ShaderLibraryGl, CompilesHeadersThatCppCompilesToo) {
+    static_assert(sizeof(glsl::mat4) == 64 && sizeof(glsl::uint) == 4);
+    write(
+        "paint.frag",
+        "#version 450\n"
+        "#include \"gpu/shared/glsl.h\"\n"
+        "layout(location = 0) out vec4 color;\n"
+        "void main() { color = vec4(1.0); }\n");
+
+    const engine::Result<const Program*> program = paint();
+
+    ASSERT_TRUE(program) << engine::to_string(program.error());
 }
 
 TEST_F(ShaderLibraryGl, ReloadsWhenAnIncludeChanges) {
