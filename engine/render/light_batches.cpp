@@ -72,7 +72,8 @@ gpu::Rect screen_rect(const scene::CameraView& camera, const scene::PlacedLight&
     return {left, camera.height - bottom, right - left, bottom - top};
 }
 
-std::vector<LightBatch> batch_lights(std::span<const gpu::Rect> areas, const std::vector<bool>& masked) {
+std::vector<LightBatch> batch_lights(
+    std::span<const scene::PlacedLight> lights, std::span<const gpu::Rect> areas, const std::vector<bool>& masked) {
     std::vector<LightBatch> batches(1);
     for (std::uint32_t light = 0; light < areas.size(); ++light) {
         if (areas[light].empty()) continue;
@@ -80,6 +81,10 @@ std::vector<LightBatch> batch_lights(std::span<const gpu::Rect> areas, const std
         batches.emplace_back();
         add_light(batches.back(), light, areas[light], masked[light]);
     }
+    for (LightBatch& batch : batches)
+        std::stable_partition(batch.lights.begin(), batch.lights.end(), [&](const BatchLight& entry) {
+            return lights[entry.light].light.kind == scene::LightKind::directional;
+        });
     return batches;
 }
 

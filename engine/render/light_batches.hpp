@@ -32,10 +32,12 @@ struct LightBatch {
     int layer_count = 0;
 };
 
-/// Lights with empty areas are left out. Masks whose areas do not overlap share a layer. Always at least one batch.
+/// Lights with empty areas are left out, directional ones come first in each batch. Masks whose areas do not overlap
+/// share a layer. Always at least one batch.
 /// @param areas one per light
 /// @param masked one per light: it needs a mask
-std::vector<LightBatch> batch_lights(std::span<const gpu::Rect> areas, const std::vector<bool>& masked);
+std::vector<LightBatch> batch_lights(
+    std::span<const scene::PlacedLight> lights, std::span<const gpu::Rect> areas, const std::vector<bool>& masked);
 
 /// A rectangle of the screen and the lights of a batch that can reach it. As lighting.vert reads it.
 struct LightTile {

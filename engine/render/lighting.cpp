@@ -2,6 +2,7 @@
 
 #include "engine/gpu/pass.hpp"
 
+#include <fmt/format.h>
 #include <render/shared/bindings.h>
 #include <render/shared/lights.h>
 
@@ -70,11 +71,15 @@ LightConstants constants_of(const Lighting::Pass& pass) {
 }
 
 gpu::Defines defines_of(const Lighting::Pass& pass) {
-    gpu::Defines defines;
-    const bool local = std::any_of(pass.batch.lights.begin(), pass.batch.lights.end(), [&](const BatchLight& entry) {
-        return pass.lights[entry.light].light.kind != scene::LightKind::directional;
-    });
-    if (local) defines.emplace_back("LOCAL_LIGHTS");
+    const auto is_directional = [&](const BatchLight& entry) {
+        return pass.lights[entry.light].light.kind == scene::LightKind::directional;
+    };
+    const auto& lights = pass.batch.lights;
+    const auto directional = std::count_if(lights.begin(), lights.end(), is_directional);
+    const auto local = static_cast<std::ptrdiff_t>(lights.size()) - directional;
+    // More than two local lights are a loop over bits: one program serves any number of them.
+    gpu::Defines defines = {
+        fmt::format("DIRECTIONAL_COUNT={}", directional), fmt::format("LOCAL_COUNT={}", std::min<std::ptrdiff_t>(local, 3))};
     if (pass.masks != nullptr) defines.emplace_back("MASKS");
     if (pass.earlier != nullptr) defines.emplace_back("ADD_EARLIER");
     if (pass.last) defines.emplace_back("TONE_MAP");

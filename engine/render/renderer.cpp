@@ -87,7 +87,7 @@ engine::Result<void> Renderer::light_frame(
         areas.push_back(screen_rect(input.camera, input.lights[light]));
         masked.push_back(visibility != nullptr && visibility->serves(light));
     }
-    const auto batches = batch_lights(areas, masked);
+    const auto batches = batch_lights(input.lights, areas, masked);
     const Exposure exposure{input.world.ambient, settings.exposure.value_or(default_exposure(input.lights))};
     const gpu::Texture* earlier = nullptr;
     for (std::size_t index = 0; index < batches.size(); ++index) {

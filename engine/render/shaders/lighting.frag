@@ -1,5 +1,8 @@
 #version 450 core
 // All lights of a batch times their masks, plus what earlier batches left; the last batch tone maps.
+//
+// DIRECTIONAL_COUNT lights come first in the block, LOCAL_COUNT spots and points behind them. A few lights are written
+// out: constant indices are far cheaper than a loop on rasterisers that run on a CPU.
 
 #include "render/shared/bindings.h"
 #include "render/shared/lights.h"
@@ -8,7 +11,7 @@
 #include "render/include/tone_map.glsl"
 
 layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
-#ifdef LOCAL_LIGHTS
+#if LOCAL_COUNT > 0
 layout(binding = UNIT_DEPTH) uniform sampler2D depth_buffer;
 #endif
 #ifdef MASKS
@@ -21,50 +24,71 @@ layout(binding = UNIT_LIGHT) uniform sampler2D earlier_light;
 flat in uint light_bits;
 layout(location = 0) out vec4 color;
 
-// Exposed light of lights[index] on a surface at `position` with `normal`, before albedo.
-vec3 light_on(int index, vec3 position, vec3 normal) {
-    LightData light = lights[index];
-    vec3 to_light = -light.direction_layer.xyz;
-    float strength = 1.0;
-#ifdef LOCAL_LIGHTS
-    // Source: KHR_lights_punctual, range and cone attenuation; scene::illuminance_at is its twin on the CPU.
-    if (light.position_kind.w != LIGHT_DIRECTIONAL) {
-        vec3 offset = light.position_kind.xyz - position;
-        float distance_2 = max(dot(offset, offset), 1e-8);
-        to_light = offset * inversesqrt(distance_2);
-        float window = clamp(1.0 - distance_2 * distance_2 * light.color_range.w, 0.0, 1.0);
-        float cone = clamp(dot(-to_light, light.direction_layer.xyz) * light.cone.x + light.cone.y, 0.0, 1.0);
-        strength = window / distance_2 * cone * cone;
-    }
-#endif
-    strength *= max(dot(normal, to_light), 0.0);
+float visibility_of(LightData light) {
 #ifdef MASKS
     if (light.direction_layer.w != NO_MASK_LAYER)
-        strength *= texelFetch(masks, ivec3(gl_FragCoord.xy, int(light.direction_layer.w)), 0).r;
+        return texelFetch(masks, ivec3(gl_FragCoord.xy, int(light.direction_layer.w)), 0).r;
 #endif
-    return light.color_range.rgb * strength;
+    return 1.0;
+}
+
+// Exposed light on a surface before albedo. Both take a normal of any length and 1 / length.
+vec3 directional_light(LightData light, vec3 normal, float inverse_length) {
+    float cosine = max(-dot(normal, light.direction_layer.xyz), 0.0) * inverse_length;
+    return light.color_range.rgb * (cosine * visibility_of(light));
+}
+
+// Source: KHR_lights_punctual, range and cone attenuation; scene::illuminance_at is its twin on the CPU.
+vec3 local_light(LightData light, vec3 position, vec3 normal, float inverse_length) {
+    vec3 offset = light.position_kind.xyz - position;
+    float inverse_distance_2 = 1.0 / max(dot(offset, offset), 1e-4);
+    float inverse_distance = sqrt(inverse_distance_2);
+    float window = clamp(1.0 - light.color_range.w / (inverse_distance_2 * inverse_distance_2), 0.0, 1.0);
+    float cos_angle = -dot(offset, light.direction_layer.xyz) * inverse_distance;
+    float cone = clamp(cos_angle * light.cone.x + light.cone.y, 0.0, 1.0);
+    float cosine = max(dot(normal, offset), 0.0) * inverse_length * inverse_distance;
+    return light.color_range.rgb * (window * inverse_distance_2 * cone * cone * cosine * visibility_of(light));
+}
+
+#define ADD_DIRECTIONAL(i) arriving += directional_light(lights[i], normal, inverse_length);
+#define ADD_LOCAL(i) arriving += local_light(lights[i], position, normal, inverse_length);
+
+vec3 light_arriving(vec3 position, vec3 normal) {
+    vec3 arriving = ambient.rgb;
+    float inverse_length = inversesqrt(dot(normal, normal));
+#if DIRECTIONAL_COUNT > 0
+    ADD_DIRECTIONAL(0)
+#endif
+#if DIRECTIONAL_COUNT > 1
+    for (int i = 1; i < DIRECTIONAL_COUNT; ++i)
+        ADD_DIRECTIONAL(i)
+#endif
+#if LOCAL_COUNT == 1
+    ADD_LOCAL(DIRECTIONAL_COUNT)
+#elif LOCAL_COUNT == 2
+    ADD_LOCAL(DIRECTIONAL_COUNT)
+    ADD_LOCAL(DIRECTIONAL_COUNT + 1)
+#elif LOCAL_COUNT > 2
+    for (uint bits = light_bits >> DIRECTIONAL_COUNT; bits != 0u; bits &= bits - 1u)
+        ADD_LOCAL(DIRECTIONAL_COUNT + findLSB(bits))
+#endif
+    return arriving;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     uvec2 surface = texelFetch(gbuffer, pixel, 0).xy;
-    vec3 light = background.rgb;
-    if (surface_receiver(surface) != 0u) {
-        vec3 normal = surface_normal(surface);
-        vec3 position = vec3(0.0);
-#ifdef LOCAL_LIGHTS
-        position = position_from_depth(texelFetch(depth_buffer, pixel, 0).r);
+    vec3 position = vec3(0.0);
+#if LOCAL_COUNT > 0
+    position = position_from_depth(texelFetch(depth_buffer, pixel, 0).r);
 #endif
-        vec3 arriving = ambient.rgb;
-        for (uint bits = light_bits; bits != 0u; bits &= bits - 1u)
-            arriving += light_on(findLSB(bits), position, normal);
-        light = arriving * unpack_albedo(surface.y);
-    }
+    vec3 shown = light_arriving(position, surface_direction(surface)) * unpack_albedo(surface.y);
+    vec3 light = surface_receiver(surface) != 0u ? shown : background.rgb;
 #ifdef ADD_EARLIER
     light += texelFetch(earlier_light, pixel, 0).rgb;
 #endif
 #ifdef TONE_MAP
-    color = vec4(encode_srgb(tone_map(light)), 1.0);
+    color = vec4(display_color(light), 1.0);
 #else
     color = vec4(light, 1.0);
 #endif

@@ -39,7 +39,8 @@ uint surface_receiver(uvec2 surface) {
     return surface.x & RECEIVER_MASK;
 }
 
-vec3 surface_normal(uvec2 surface) {
+// The normal, not normalised.
+vec3 surface_direction(uvec2 surface) {
     uvec2 bits = uvec2((surface.x >> 20) & 0x3FFu, (surface.x >> 30) | ((surface.y >> 24) << 2));
-    return normalize(from_octahedral((vec2(bits) - 512.0) * (1.0 / 511.0)));
+    return from_octahedral((vec2(bits) - 512.0) * (1.0 / 511.0));
 }
