@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 namespace ecs {
@@ -20,15 +21,10 @@ constexpr std::string_view component_name() {
 
 /// Prints "ecs: entity 7 (generation 2) is not alive" or "... has no scene::Transform" and aborts.
 [[noreturn]] inline void misuse(Entity entity, std::string_view what, std::string_view type = "") {
-    std::fprintf(
-        stderr,
-        "ecs: entity %u (generation %u) %.*s%.*s\n",
-        entity.index(),
-        entity.generation(),
-        static_cast<int>(what.size()),
-        what.data(),
-        static_cast<int>(type.size()),
-        type.data());
+    std::string sentence = "ecs: entity " + std::to_string(entity.index());
+    sentence += " (generation " + std::to_string(entity.generation()) + ") ";
+    sentence.append(what).append(type).append("\n");
+    std::fputs(sentence.c_str(), stderr);
     std::abort();
 }
 
