@@ -30,17 +30,36 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+/// How many letters two words share at their start, when those are most of the shorter one; else 0.
+std::size_t shared_start(std::string_view a, std::string_view b) {
+    const std::size_t shorter = std::min(a.size(), b.size());
+    const auto end =
+        std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter), b.begin()).first;
+    const auto shared = static_cast<std::size_t>(end - a.begin());
+    return shared >= 3 && shared * 3 >= shorter * 2 ? shared : 0;
+}
+
 } // namespace
 
-std::optional<std::string_view> nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
+std::optional<std::string_view>
+nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
     std::optional<std::string_view> best;
     std::size_t best_distance = 0;
     for (const std::string_view candidate : candidates) {
-        const std::size_t allowed = std::max<std::size_t>(1, std::max(word.size(), candidate.size()) / 3);
+        const std::size_t allowed =
+            std::max<std::size_t>(1, std::max(word.size(), candidate.size()) / 3);
         const std::size_t distance = edit_distance(word, candidate);
         if (distance > allowed || (best && distance >= best_distance)) continue;
         best = candidate;
         best_distance = distance;
+    }
+    if (best) return best;
+    std::size_t best_start = 0;
+    for (const std::string_view candidate : candidates) {
+        const std::size_t start = shared_start(word, candidate);
+        if (start <= best_start) continue;
+        best = candidate;
+        best_start = start;
     }
     return best;
 }
