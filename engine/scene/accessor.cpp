@@ -249,7 +249,7 @@ engine::Result<std::vector<float>> AccessorReader::floats(int accessor, int widt
     auto numbers = floats_as_found(accessor, width);
     if (!numbers) return numbers;
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const float value = (*numbers)[i];
+        const auto value = static_cast<double>((*numbers)[i]);
         if (std::abs(value) <= kLargestNumber) continue;
         const std::size_t element = i / static_cast<std::size_t>(width);
         if (!std::isfinite(value))

@@ -16,7 +16,7 @@
 namespace scene {
 
 /// Larger numbers have no place in a scene, and their squares and products no place in a float.
-inline constexpr float kLargestNumber = 1e9F;
+inline constexpr double kLargestNumber = 1e9;
 
 /// Bytes that a model may still unpack. Accessors can be shared, sparse or empty, so a small file
 /// can ask for far more memory than it has bytes.

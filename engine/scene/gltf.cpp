@@ -71,6 +71,15 @@ bool keep_picture(
     return true;
 }
 
+/// What the parser complained of, less what is no fault: inverse bind matrices may be absent.
+std::string first_complaint(std::string complaints) {
+    constexpr std::string_view kHarmless = "'inverseBindMatrices' property is missing in Skin.\n";
+    for (auto at = complaints.find(kHarmless); at != std::string::npos;
+         at = complaints.find(kHarmless))
+        complaints.erase(at, kHarmless.size());
+    return complaints.substr(0, complaints.find('\n'));
+}
+
 /// @param folder where the file's own files lie; empty: nowhere
 engine::Result<tinygltf::Model>
 parse(std::span<const std::uint8_t> bytes, const std::string& folder) {
@@ -101,8 +110,8 @@ parse(std::span<const std::uint8_t> bytes, const std::string& folder) {
     } catch (const std::exception& thrown) {
         error = thrown.what();
     }
-    if (!error.empty())
-        return engine::Error{"not readable as glTF: " + error.substr(0, error.find('\n'))};
+    if (const std::string complaint = first_complaint(error); !complaint.empty())
+        return engine::Error{"not readable as glTF: " + complaint};
     return model;
 }
 

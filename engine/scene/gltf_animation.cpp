@@ -58,7 +58,7 @@ engine::Result<void> normalise_rotations(const std::string& place, AnimationChan
             return engine::Error{
                 fmt::format("{}: the rotation of key {} is zero", place, i / step)};
         for (int k = 0; k < 4; ++k)
-            value[k] = static_cast<float>(double{value[k]} / length);
+            value[k] = static_cast<float>(static_cast<double>(value[k]) / length);
     }
     return {};
 }

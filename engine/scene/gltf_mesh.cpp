@@ -114,7 +114,7 @@ engine::Result<void> read_morph_targets(
             reader, target_place, source.targets[i], "NORMAL", data.positions.size());
         if (!normals) return normals.error();
         for (glm::vec3& delta : *normals)
-            if (!(glm::length(delta) <= kLargestNumber)) delta = {};
+            if (!(glm::length(glm::dvec3(delta)) <= kLargestNumber)) delta = {};
         data.morph_targets.push_back({std::move(*positions), std::move(*normals)});
     }
     return {};

@@ -69,8 +69,8 @@ engine::Result<float> bounded(
     const std::string& place,
     const char* property,
     double value,
-    double low = -double{kLargestNumber},
-    double high = double{kLargestNumber});
+    double low = -kLargestNumber,
+    double high = kLargestNumber);
 
 // The parts, in the order in which they must run. Errors: the first number that is out of its
 // range.

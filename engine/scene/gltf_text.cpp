@@ -66,10 +66,8 @@ public:
     bool end_array() override { return leave(); }
     bool key(string_t& value) override {
         key_ = value;
-        if (free_depth_ == 0 && (value == "extras" || value == "extensions"))
-            free_depth_ = depth_;
-        else if (free_depth_ == depth_)
-            free_depth_ = 0;
+        if (free_depth_ == depth_) free_depth_ = 0;
+        if (free_depth_ == 0 && (value == "extras" || value == "extensions")) free_depth_ = depth_;
         return true;
     }
     bool parse_error(
