@@ -1,0 +1,67 @@
+// Worlds made by hand for tests that draw or trace.
+
+#pragma once
+
+#include "engine/scene/primitives.hpp"
+#include "engine/scene/receivers.hpp"
+#include "engine/scene/world.hpp"
+
+#include <string>
+
+namespace test_support {
+
+/// A world to which meshes are added one by one, moved as a whole by `origin`.
+class WorldBuilder {
+public:
+    explicit WorldBuilder(const glm::dvec3& origin = {}) : origin_(origin) { world.assets.materials.emplace_back(); }
+
+    /// A new mesh, and one entity that shows it.
+    ecs::Entity add(const std::string& name, scene::Mesh mesh, const scene::Transform& at = {}) {
+        world.assets.meshes.push_back(std::move(mesh));
+        return add_instance(name, static_cast<std::uint32_t>(world.assets.meshes.size() - 1), at);
+    }
+
+    ecs::Entity add_instance(const std::string& name, std::uint32_t mesh, scene::Transform at) {
+        const ecs::Entity entity = world.registry.create();
+        at.position += origin_;
+        world.registry.add(entity, scene::Name{name});
+        world.registry.add(entity, at);
+        world.registry.add(entity, scene::WorldTransform{});
+        world.registry.add(entity, scene::MeshInstance{mesh});
+        world.registry.add(entity, scene::ShadowRole{});
+        return entity;
+    }
+
+    scene::World world;
+
+private:
+    glm::dvec3 origin_;
+};
+
+inline scene::Transform at(const glm::dvec3& position, const glm::vec3& scale = glm::vec3(1.0F)) {
+    scene::Transform transform;
+    transform.position = position;
+    transform.scale = scale;
+    return transform;
+}
+
+/// A sun that shines down and to the right and back.
+inline scene::PlacedLight sun_light(float illuminance = 3.0F) {
+    scene::PlacedLight light;
+    light.name = "sun";
+    light.light.intensity = illuminance;
+    light.direction = glm::normalize(glm::vec3(0.4F, -1.0F, -0.3F));
+    return light;
+}
+
+inline scene::PlacedLight lamp_light(const std::string& name, const glm::dvec3& position, float intensity, float range) {
+    scene::PlacedLight light;
+    light.name = name;
+    light.light.kind = scene::LightKind::point;
+    light.light.intensity = intensity;
+    light.light.range = range;
+    light.position = position;
+    return light;
+}
+
+} // namespace test_support
