@@ -16,11 +16,13 @@ struct ProbedTimes {
     double timestamp_ms = 0.0;
 };
 
-/// A pass whose weight can be chosen.
+/// A pass whose weight can be chosen, over a target of many tiles: a rasteriser that works tile by
+/// tile (llvmpipe: 64 x 64) stamps the time of the last tile alone, which is near the truth on a
+/// small target.
 class HeavyPass {
 public:
     HeavyPass()
-        : texture_("timer probe", {.format = Format::r32f, .width = 128, .height = 128}),
+        : texture_("timer probe", {.format = Format::r32f, .width = kSide, .height = kSide}),
           target_(Framebuffer::make("timer probe", {.colors = {{.texture = &texture_}}})),
           program_(library_.graphics("gpu/fullscreen.vert", "gpu/timer_probe.frag")) {
         GLuint names[2] = {}; // NOLINT(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays):
@@ -61,6 +63,8 @@ public:
     }
 
 private:
+    static constexpr int kSide = 512;
+
     ShaderLibrary library_{{}};
     Texture texture_;
     engine::Result<Framebuffer> target_;
@@ -85,7 +89,7 @@ TimerBackend probe_timer_backend() {
     // Heavy enough that the cost of submitting it does not count.
     constexpr double kHeavyMs = 5.0;
     constexpr int kMostIterations = 1 << 20;
-    int iterations = 64;
+    int iterations = 16;
     while (iterations < kMostIterations && heavy.time(iterations).wall_ms < kHeavyMs) {
         iterations *= 4;
     }
