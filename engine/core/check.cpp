@@ -6,7 +6,14 @@
 namespace engine {
 
 void check_failed(const char* file, int line, const char* expression, const std::string& detail) {
-    fmt::print(stderr, "{}:{}: CHECK({}) failed{}{}\n", file, line, expression, detail.empty() ? "" : ": ", detail);
+    fmt::print(
+        stderr,
+        "{}:{}: CHECK({}) failed{}{}\n",
+        file,
+        line,
+        expression,
+        detail.empty() ? "" : ": ",
+        detail);
     std::fflush(stderr);
     std::abort();
 }

@@ -1,7 +1,8 @@
-// Contracts between programmers: CHECK stays on in release, DCHECK is for hot loops in debug builds.
+// Contracts between programmers: CHECK stays on in release, DCHECK is for hot loops in debug
+// builds.
 //
-// A failed check prints the expression, both values where there are two, and the place, then aborts.
-// Anything a person or a machine can get wrong is a Result (result.hpp) instead.
+// A failed check prints the expression, both values where there are two, and the place, then
+// aborts. Anything a person or a machine can get wrong is a Result (result.hpp) instead.
 
 #pragma once
 
@@ -12,7 +13,8 @@
 namespace engine {
 
 /// Prints "file:line: CHECK(expression) failed: detail" on standard error and aborts.
-[[noreturn]] void check_failed(const char* file, int line, const char* expression, const std::string& detail);
+[[noreturn]] void
+check_failed(const char* file, int line, const char* expression, const std::string& detail);
 
 } // namespace engine
 
@@ -27,7 +29,9 @@ namespace engine {
         const auto& check_right = (right);                                                         \
         if (!(check_left op check_right))                                                          \
             ::engine::check_failed(                                                                \
-                __FILE__, __LINE__, #left " " #op " " #right,                                      \
+                __FILE__,                                                                          \
+                __LINE__,                                                                          \
+                #left " " #op " " #right,                                                          \
                 fmt::format("{} against {}", check_left, check_right));                            \
     } while (false)
 
@@ -39,7 +43,7 @@ namespace engine {
 #define CHECK_GT(left, right) CHECK_OP_(left, >, right)
 
 #ifdef NDEBUG
-#define DCHECK(condition) static_cast<void>(0)
+#    define DCHECK(condition) static_cast<void>(0)
 #else
-#define DCHECK(condition) CHECK(condition)
+#    define DCHECK(condition) CHECK(condition)
 #endif

@@ -17,7 +17,11 @@ bool Frustum::intersects(const Aabb& box) const {
 Frustum frustum_from_clip(const glm::mat4& clip_from_space) {
     const glm::mat4 rows = glm::transpose(clip_from_space);
     const std::array<glm::vec4, 5> equations = {
-        rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3] - rows[2]};
+        rows[3] + rows[0],
+        rows[3] - rows[0],
+        rows[3] + rows[1],
+        rows[3] - rows[1],
+        rows[3] - rows[2]};
     Frustum frustum;
     for (std::size_t i = 0; i < equations.size(); ++i) {
         const float length = glm::length(glm::vec3(equations[i]));
@@ -41,8 +45,10 @@ Aabb relative_to(const WorldAabb& box, const glm::dvec3& origin) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Aabb relative;
     for (int axis = 0; axis < 3; ++axis) {
-        relative.min[axis] = std::nextafter(static_cast<float>(box.min[axis] - origin[axis]), -kInfinity);
-        relative.max[axis] = std::nextafter(static_cast<float>(box.max[axis] - origin[axis]), kInfinity);
+        relative.min[axis] =
+            std::nextafter(static_cast<float>(box.min[axis] - origin[axis]), -kInfinity);
+        relative.max[axis] =
+            std::nextafter(static_cast<float>(box.max[axis] - origin[axis]), kInfinity);
     }
     return relative;
 }

@@ -31,14 +31,18 @@ struct Box {
     }
     /// Touching counts as intersecting.
     [[nodiscard]] bool intersects(const Box& other) const {
-        return glm::all(glm::lessThanEqual(min, other.max)) && glm::all(glm::lessThanEqual(other.min, max));
+        return glm::all(glm::lessThanEqual(min, other.max))
+               && glm::all(glm::lessThanEqual(other.min, max));
     }
     [[nodiscard]] bool contains(const Vec& point) const {
         return glm::all(glm::lessThanEqual(min, point)) && glm::all(glm::lessThanEqual(point, max));
     }
     /// Corner i of 8: bit 0 picks max.x, bit 1 max.y, bit 2 max.z.
     [[nodiscard]] Vec corner(int i) const {
-        return {(i & 1) != 0 ? max.x : min.x, (i & 2) != 0 ? max.y : min.y, (i & 4) != 0 ? max.z : min.z};
+        return {
+            (i & 1) != 0 ? max.x : min.x,
+            (i & 2) != 0 ? max.y : min.y,
+            (i & 4) != 0 ? max.z : min.z};
     }
 };
 
@@ -50,11 +54,13 @@ struct Plane {
     glm::vec3 normal = {0.0F, 1.0F, 0.0F}; ///< unit length
     float offset = 0.0F;
 
-    [[nodiscard]] float distance(const glm::vec3& point) const { return glm::dot(normal, point) + offset; }
+    [[nodiscard]] float distance(const glm::vec3& point) const {
+        return glm::dot(normal, point) + offset;
+    }
 };
 
-/// The convex region in front of five planes: left, right, bottom, top, near. There is no far plane:
-/// projections here are infinite.
+/// The convex region in front of five planes: left, right, bottom, top, near. There is no far
+/// plane: projections here are infinite.
 struct Frustum {
     std::array<Plane, 5> planes;
 
@@ -63,8 +69,8 @@ struct Frustum {
 };
 
 /// The frustum of a projection, in the space that `clip_from_space` starts from.
-/// @param clip_from_space reversed infinite depth: clip w > 0 in front, 0 <= z <= w, z = w at the near plane
-/// Source: Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes", 2001.
+/// @param clip_from_space reversed infinite depth: clip w > 0 in front, 0 <= z <= w, z = w at the
+/// near plane Source: Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes", 2001.
 Frustum frustum_from_clip(const glm::mat4& clip_from_space);
 
 /// The box round a transformed box.

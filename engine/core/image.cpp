@@ -13,8 +13,11 @@ namespace engine {
 Result<void> write_png(const std::filesystem::path& file, const Image& image) {
     CHECK_EQ(image.bytes.size(), image.pixel_count() * static_cast<std::size_t>(image.channels));
     const int stride = image.width * image.channels;
-    if (stbi_write_png(file.c_str(), image.width, image.height, image.channels, image.bytes.data(), stride) == 0)
-        return Error{"could not be written; expected a folder that exists and has room", {file.string()}};
+    if (stbi_write_png(
+            file.c_str(), image.width, image.height, image.channels, image.bytes.data(), stride)
+        == 0)
+        return Error{
+            "could not be written; expected a folder that exists and has room", {file.string()}};
     return {};
 }
 
@@ -24,7 +27,9 @@ Result<Image> read_png(const std::filesystem::path& file, int channels) {
     int found = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load(file.c_str(), &width, &height, &found, channels), stbi_image_free);
-    if (!pixels) return Error{fmt::format("no readable picture: {}", stbi_failure_reason()), {file.string()}};
+    if (!pixels)
+        return Error{
+            fmt::format("no readable picture: {}", stbi_failure_reason()), {file.string()}};
     Image image(width, height, channels == 0 ? found : channels);
     image.bytes.assign(pixels.get(), pixels.get() + image.bytes.size());
     return image;

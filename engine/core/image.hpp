@@ -20,9 +20,12 @@ struct Image {
 
     Image() = default;
     Image(int width_px, int height_px, int channel_count)
-        : width(width_px), height(height_px), channels(channel_count),
-          bytes(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
-                static_cast<std::size_t>(channel_count)) {}
+        : width(width_px),
+          height(height_px),
+          channels(channel_count),
+          bytes(
+              static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)
+              * static_cast<std::size_t>(channel_count)) {}
 
     [[nodiscard]] std::size_t pixel_count() const {
         return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -33,8 +36,9 @@ struct Image {
 
 private:
     [[nodiscard]] std::size_t index(int x, int y) const {
-        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
-               static_cast<std::size_t>(channels);
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width)
+                + static_cast<std::size_t>(x))
+               * static_cast<std::size_t>(channels);
     }
 };
 

@@ -10,7 +10,8 @@ namespace engine {
 /// Algorithms for Random Number Generation", 2014.
 class Random {
 public:
-    explicit Random(std::uint64_t seed, std::uint64_t stream = 1) : increment_((stream << 1U) | 1U) {
+    explicit Random(std::uint64_t seed, std::uint64_t stream = 1)
+        : increment_((stream << 1U) | 1U) {
         next();
         state_ += seed;
         next();

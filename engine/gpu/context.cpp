@@ -110,4 +110,8 @@ void Context::take_message(GLenum type, GLenum severity, std::string text) {
     if (error && errors_fatal_) std::abort();
 }
 
+void Context::finish() const {
+    glFinish();
+}
+
 } // namespace gpu

@@ -64,6 +64,9 @@ public:
     /// Makes it current on this thread again, after another context was.
     void make_current() { native_.make_current(); }
 
+    /// Waits until the device has done all it was asked.
+    void finish() const;
+
     [[nodiscard]] const DeviceInfo& device() const { return device_; }
 
     /// Each text once, errors and warnings, in order of appearance.

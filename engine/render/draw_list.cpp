@@ -17,19 +17,20 @@ namespace {
 /// Changes whenever any component that a DrawItem copies changes.
 std::uint64_t versions_of(const scene::World& world) {
     const auto& registry = world.registry;
-    return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>() +
-           registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
+    return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>()
+           + registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
 }
 
-DrawItem make_item(
-    const scene::World& world, const scene::ReceiverRange& range, const GeometryPool& pool) {
+DrawItem
+make_item(const scene::World& world, const scene::ReceiverRange& range, const GeometryPool& pool) {
     const auto& registry = world.registry;
     const auto& placed = registry.get<scene::WorldTransform>(range.entity);
     DrawItem item;
     item.entity = range.entity;
     item.mesh = registry.get<scene::MeshInstance>(range.entity).mesh;
-    item.base_vertex = registry.has<scene::PosedMesh>(range.entity) ? pool.posed_base_vertex(range.entity)
-                                                                    : pool.slot(item.mesh).base_vertex;
+    item.base_vertex = registry.has<scene::PosedMesh>(range.entity)
+                           ? pool.posed_base_vertex(range.entity)
+                           : pool.slot(item.mesh).base_vertex;
     item.first_receiver = range.first;
     item.has_patches = range.count == 1 + world.assets.meshes[item.mesh].patches.size();
     item.mirrored = placed.mirrored();
@@ -48,7 +49,8 @@ std::uint32_t packed_square_root(const glm::vec4& color) {
     return glm::packUnorm4x8(glm::vec4(root, 0.0F));
 }
 
-InstanceData instance_of(const DrawItem& item, const scene::Material& material, const glm::dvec3& origin) {
+InstanceData
+instance_of(const DrawItem& item, const scene::Material& material, const glm::dvec3& origin) {
     const glm::dmat4 rows = glm::transpose(item.world_from_mesh);
     InstanceData data;
     data.row_0 = glm::vec4(glm::dvec4(glm::dvec3(rows[0]), rows[0].w - origin.x));
@@ -62,7 +64,8 @@ InstanceData instance_of(const DrawItem& item, const scene::Material& material, 
     return data;
 }
 
-DrawBucket bucket_of(const scene::Submesh& submesh, const scene::Material& material, bool mirrored) {
+DrawBucket
+bucket_of(const scene::Submesh& submesh, const scene::Material& material, bool mirrored) {
     DrawBucket bucket;
     bucket.topology = submesh.topology;
     bucket.double_sided = material.double_sided || submesh.topology != scene::Topology::triangles;
@@ -113,7 +116,8 @@ void close_runs(const Buckets& buckets, DrawList& list) {
 
 } // namespace
 
-void DrawItems::sync(const scene::World& world, const scene::ReceiverTable& receivers, const GeometryPool& pool) {
+void DrawItems::sync(
+    const scene::World& world, const scene::ReceiverTable& receivers, const GeometryPool& pool) {
     const std::uint64_t versions = versions_of(world);
     if (versions == versions_ && items_.size() == receivers.ranges().size()) return;
     versions_ = versions;

@@ -1,5 +1,5 @@
-// What a view draws: everything inside its frustum, gathered into instanced draws and these into buckets that share
-// all state. Pure CPU; ten thousand objects become a handful of multi-draws.
+// What a view draws: everything inside its frustum, gathered into instanced draws and these into
+// buckets that share all state. Pure CPU; ten thousand objects become a handful of multi-draws.
 
 #pragma once
 
@@ -29,9 +29,11 @@ struct DrawItem {
 /// Everything that may be drawn, kept in step with the world by versions.
 class DrawItems {
 public:
-    void sync(const scene::World& world, const scene::ReceiverTable& receivers, const GeometryPool& pool);
+    void sync(
+        const scene::World& world, const scene::ReceiverTable& receivers, const GeometryPool& pool);
 
-    /// Sorted by mesh, mirrored ones last, then by entity: equal neighbours become one instanced draw.
+    /// Sorted by mesh, mirrored ones last, then by entity: equal neighbours become one instanced
+    /// draw.
     [[nodiscard]] const std::vector<DrawItem>& all() const { return items_; }
 
 private:
@@ -64,7 +66,8 @@ struct InstanceData {
     glm::vec4 row_0; ///< rows of relative_from_mesh
     glm::vec4 row_1;
     glm::vec4 row_2;
-    glm::uvec4 surface; ///< receiver id of patch 0 (and SURFACE_WITHOUT_PATCHES), packed base color, bits of alpha, of the cutoff
+    glm::uvec4 surface; ///< receiver id of patch 0 (and SURFACE_WITHOUT_PATCHES), packed base
+                        ///< color, bits of alpha, of the cutoff
 };
 
 struct DrawList {

@@ -28,9 +28,12 @@ make_vertices(const std::string& label, const GeometryPool& pool, const gpu::Buf
 
 gpu::Primitive primitive_of(scene::Topology topology) {
     switch (topology) {
-    case scene::Topology::points: return gpu::Primitive::points;
-    case scene::Topology::lines: return gpu::Primitive::lines;
-    case scene::Topology::triangles: break;
+    case scene::Topology::points:
+        return gpu::Primitive::points;
+    case scene::Topology::lines:
+        return gpu::Primitive::lines;
+    case scene::Topology::triangles:
+        break;
     }
     return gpu::Primitive::triangles;
 }
@@ -47,9 +50,14 @@ void DrawRuns::upload(const DrawList& list) {
     commands_.assign(gpu::bytes_of(list.commands));
 }
 
-void DrawRuns::draw(gpu::Frame& frame, const gpu::Program& program, const DrawList::Run& run) const {
+void DrawRuns::draw(
+    gpu::Frame& frame, const gpu::Program& program, const DrawList::Run& run) const {
     const gpu::IndirectRange range{
-        &commands_, run.first_command, run.command_count, run.triangles, primitive_of(run.bucket.topology)};
+        &commands_,
+        run.first_command,
+        run.command_count,
+        run.triangles,
+        primitive_of(run.bucket.topology)};
     frame.draw_indirect(program, vertices_, range);
 }
 

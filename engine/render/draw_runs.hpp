@@ -1,4 +1,5 @@
-// A draw list on the device: its instances and commands as buffers, and the vertex array that reads them.
+// A draw list on the device: its instances and commands as buffers, and the vertex array that reads
+// them.
 
 #pragma once
 

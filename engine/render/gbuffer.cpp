@@ -19,7 +19,8 @@ gpu::Defines defines_of(const DrawBucket& bucket) {
 gpu::RenderState state_of(const DrawBucket& bucket) {
     gpu::RenderState state;
     state.cull = bucket.double_sided ? gpu::Cull::none : gpu::Cull::back;
-    state.front_face = bucket.mirrored ? gpu::FrontFace::clockwise : gpu::FrontFace::counter_clockwise;
+    state.front_face =
+        bucket.mirrored ? gpu::FrontFace::clockwise : gpu::FrontFace::counter_clockwise;
     return state;
 }
 
@@ -30,7 +31,8 @@ engine::Result<GBuffer> GBuffer::make(int width, int height) {
     made.surface_ = gpu::Texture(
         "gbuffer/surface", {.format = gpu::Format::rg32ui, .width = width, .height = height});
     made.depth_ = gpu::Texture(
-        "gbuffer/depth", {.format = gpu::Format::depth32f_stencil8, .width = width, .height = height});
+        "gbuffer/depth",
+        {.format = gpu::Format::depth32f_stencil8, .width = width, .height = height});
     auto target = gpu::Framebuffer::make(
         "gbuffer", {.colors = {{&made.surface_}}, .depth = gpu::Attachment{&made.depth_}});
     if (!target) return target.error();
@@ -46,13 +48,17 @@ engine::Result<void> draw_geometry(
     const DrawRuns& draws,
     const DrawList& list) {
     const gpu::ScopedPass pass(
-        frame, "geometry", gbuffer.target(), {.color = glm::vec4(0.0F), .depth = 0.0F, .stencil = 0});
+        frame,
+        "geometry",
+        gbuffer.target(),
+        {.color = glm::vec4(0.0F), .depth = 0.0F, .stencil = 0});
     for (const DrawList::Run& run : list.runs) {
         const auto program =
             shaders.graphics("render/gbuffer.vert", "render/gbuffer.frag", defines_of(run.bucket));
         if (!program) return program.error();
         frame.state(state_of(run.bucket));
-        if (run.bucket.texture != scene::kNoTexture) textures.get(run.bucket.texture).bind(UNIT_BASE_COLOR);
+        if (run.bucket.texture != scene::kNoTexture)
+            textures.get(run.bucket.texture).bind(UNIT_BASE_COLOR);
         draws.draw(frame, **program, run);
     }
     return {};

@@ -1,4 +1,5 @@
-// The packed G-buffer: one 64-bit colour target and reversed depth with stencil, and the pass that fills them.
+// The packed G-buffer: one 64-bit colour target and reversed depth with stencil, and the pass that
+// fills them.
 
 #pragma once
 
@@ -17,8 +18,10 @@ public:
     /// Errors: the driver draws into no such set of textures.
     static engine::Result<GBuffer> make(int width, int height);
 
-    [[nodiscard]] const gpu::Texture& surface() const { return surface_; } ///< rg32ui, include/gbuffer.glsl
-    [[nodiscard]] const gpu::Texture& depth() const { return depth_; }     ///< depth32f_stencil8
+    [[nodiscard]] const gpu::Texture& surface() const {
+        return surface_;
+    } ///< rg32ui, include/gbuffer.glsl
+    [[nodiscard]] const gpu::Texture& depth() const { return depth_; } ///< depth32f_stencil8
     [[nodiscard]] const gpu::Framebuffer& target() const { return target_; }
 
 private:

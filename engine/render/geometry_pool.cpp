@@ -12,7 +12,8 @@ std::int16_t snorm16(float value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 32767.0F));
 }
 
-VertexAttributes attributes_of(const scene::Mesh& mesh, const glm::vec3& normal, std::size_t vertex) {
+VertexAttributes
+attributes_of(const scene::Mesh& mesh, const glm::vec3& normal, std::size_t vertex) {
     VertexAttributes attributes;
     attributes.normal = {snorm16(normal.x), snorm16(normal.y), snorm16(normal.z), 0};
     if (!mesh.uvs.empty()) attributes.uv = mesh.uvs[vertex];
@@ -21,7 +22,9 @@ VertexAttributes attributes_of(const scene::Mesh& mesh, const glm::vec3& normal,
 }
 
 void append_attributes(
-    const scene::Mesh& mesh, std::span<const glm::vec3> normals, std::vector<VertexAttributes>& attributes) {
+    const scene::Mesh& mesh,
+    std::span<const glm::vec3> normals,
+    std::vector<VertexAttributes>& attributes) {
     for (std::size_t vertex = 0; vertex < normals.size(); ++vertex)
         attributes.push_back(attributes_of(mesh, normals[vertex], vertex));
 }
@@ -35,13 +38,15 @@ GeometryPool::GeometryPool()
 
 void GeometryPool::sync(const scene::World& world) {
     const auto& registry = world.registry;
-    bool known = slots_.size() == world.assets.meshes.size() && poses_.size() == registry.count<scene::PosedMesh>();
+    bool known = slots_.size() == world.assets.meshes.size()
+                 && poses_.size() == registry.count<scene::PosedMesh>();
     registry.each<scene::PosedMesh>([&](ecs::Entity entity, const scene::PosedMesh&) {
         known = known && poses_.contains(entity);
     });
     if (!known) rebuild(world);
     for (auto& [entity, pose] : poses_)
-        if (pose.version != registry.version<scene::PosedMesh>(entity)) upload_pose(world, entity, pose);
+        if (pose.version != registry.version<scene::PosedMesh>(entity))
+            upload_pose(world, entity, pose);
 }
 
 void GeometryPool::rebuild(const scene::World& world) {
@@ -51,7 +56,9 @@ void GeometryPool::rebuild(const scene::World& world) {
     slots_.clear();
     poses_.clear();
     for (const scene::Mesh& mesh : world.assets.meshes) {
-        slots_.push_back({static_cast<std::uint32_t>(indices.size()), static_cast<std::int32_t>(positions.size())});
+        slots_.push_back(
+            {static_cast<std::uint32_t>(indices.size()),
+             static_cast<std::int32_t>(positions.size())});
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         append_attributes(mesh, mesh.normals, attributes);
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -68,7 +75,8 @@ void GeometryPool::rebuild(const scene::World& world) {
 
 void GeometryPool::upload_pose(const scene::World& world, ecs::Entity entity, Pose& pose) {
     const auto& posed = world.registry.get<scene::PosedMesh>(entity);
-    const scene::Mesh& mesh = world.assets.meshes[world.registry.get<scene::MeshInstance>(entity).mesh];
+    const scene::Mesh& mesh =
+        world.assets.meshes[world.registry.get<scene::MeshInstance>(entity).mesh];
     std::vector<VertexAttributes> attributes;
     attributes.reserve(posed.normals.size());
     append_attributes(mesh, posed.normals, attributes);

@@ -1,6 +1,7 @@
-// All meshes of a world in two vertex buffers and one index buffer, so that one multi-draw can mix them. Positions
-// are a stream of their own: depth-only passes read nothing else. Meshes that deform have one range of vertices per
-// entity behind the shared ones, rewritten when their pose changes.
+// All meshes of a world in two vertex buffers and one index buffer, so that one multi-draw can mix
+// them. Positions are a stream of their own: depth-only passes read nothing else. Meshes that
+// deform have one range of vertices per entity behind the shared ones, rewritten when their pose
+// changes.
 
 #pragma once
 
@@ -15,11 +16,12 @@ namespace render {
 
 /// Where a mesh lies in the pool.
 struct MeshSlot {
-    std::uint32_t first_index = 0;  ///< added to Submesh::first_index
+    std::uint32_t first_index = 0; ///< added to Submesh::first_index
     std::int32_t base_vertex = 0;
 };
 
-/// Normal, texture coordinates and patch id of one vertex, as the attributes of shared/bindings.h read them.
+/// Normal, texture coordinates and patch id of one vertex, as the attributes of shared/bindings.h
+/// read them.
 struct VertexAttributes {
     std::array<std::int16_t, 4> normal = {}; ///< normalised, the fourth is padding
     glm::vec2 uv = {};
@@ -36,7 +38,9 @@ public:
 
     [[nodiscard]] MeshSlot slot(std::uint32_t mesh) const { return slots_[mesh]; }
     /// First vertex of an entity whose mesh deforms. @pre it has a PosedMesh
-    [[nodiscard]] std::int32_t posed_base_vertex(ecs::Entity entity) const { return poses_.at(entity).base_vertex; }
+    [[nodiscard]] std::int32_t posed_base_vertex(ecs::Entity entity) const {
+        return poses_.at(entity).base_vertex;
+    }
 
     [[nodiscard]] const gpu::Buffer& positions() const { return positions_; }
     [[nodiscard]] const gpu::Buffer& attributes() const { return attributes_; }

@@ -16,12 +16,13 @@
 
 namespace render {
 
-/// Where the visibility of one light goes: an R8 layer that holds 1 everywhere. Passes lower it (blend min).
+/// Where the visibility of one light goes: an R8 layer that holds 1 everywhere. Passes lower it
+/// (blend min).
 struct VisibilityTarget {
-    const gpu::Framebuffer& mask;    ///< colour only
-    const gpu::Texture& gbuffer;     ///< rg32ui, as include/gbuffer.glsl packs it
-    const gpu::Texture& depth;       ///< reversed; not attached to `mask`
-    gpu::Rect area;                  ///< what of the mask will be read: touch nothing else
+    const gpu::Framebuffer& mask; ///< colour only
+    const gpu::Texture& gbuffer;  ///< rg32ui, as include/gbuffer.glsl packs it
+    const gpu::Texture& depth;    ///< reversed; not attached to `mask`
+    gpu::Rect area;               ///< what of the mask will be read: touch nothing else
 };
 
 /// What a frame is drawn from.
@@ -38,7 +39,8 @@ public:
 
     /// CPU: decides everything for this frame. Errors end the frame.
     virtual engine::Result<void> prepare(const FrameInput& input) = 0;
-    /// Whether the light (an index into FrameInput::lights) needs a mask at all; without one it is lit everywhere.
+    /// Whether the light (an index into FrameInput::lights) needs a mask at all; without one it is
+    /// lit everywhere.
     [[nodiscard]] virtual bool serves(std::size_t light) const = 0;
     /// GPU: redraws what the masks are made from. Errors: a shader that does not compile.
     virtual engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) = 0;

@@ -22,21 +22,26 @@ gpu::VertexArray make_vertices(const gpu::Buffer& tiles) {
     const std::vector<gpu::VertexStream> streams = {
         {&tiles,
          sizeof(LightTile),
-         {{0, 4, Component::u32, offsetof(LightTile, rectangle)}, {1, 1, Component::u32, offsetof(LightTile, bits)}},
+         {{0, 4, Component::u32, offsetof(LightTile, rectangle)},
+          {1, 1, Component::u32, offsetof(LightTile, bits)}},
          true}};
     return {"lighting/tiles", streams};
 }
 
 float kind_of(scene::LightKind kind) {
     switch (kind) {
-    case scene::LightKind::spot: return LIGHT_SPOT;
-    case scene::LightKind::point: return LIGHT_POINT;
-    case scene::LightKind::directional: break;
+    case scene::LightKind::spot:
+        return LIGHT_SPOT;
+    case scene::LightKind::point:
+        return LIGHT_POINT;
+    case scene::LightKind::directional:
+        break;
     }
     return LIGHT_DIRECTIONAL;
 }
 
-/// Fall-off of the cone as KHR_lights_punctual writes it: clamp(cos * scale + offset)^2. Points shine everywhere.
+/// Fall-off of the cone as KHR_lights_punctual writes it: clamp(cos * scale + offset)^2. Points
+/// shine everywhere.
 glm::vec4 cone_of(const scene::Light& light) {
     if (light.kind != scene::LightKind::spot) return {0.0F, 1.0F, 0.0F, 0.0F};
     const float cos_outer = std::cos(light.outer_angle);
@@ -49,7 +54,8 @@ LightData data_of(const BatchLight& entry, const Lighting::Pass& pass) {
     const scene::Light& light = placed.light;
     const glm::vec3 relative(placed.position - pass.camera.position);
     const float range_2 = light.range * light.range;
-    const float strength = light.intensity * pass.exposure.scale * static_cast<float>(std::numbers::inv_pi);
+    const float strength =
+        light.intensity * pass.exposure.scale * static_cast<float>(std::numbers::inv_pi);
     LightData data;
     data.position_kind = glm::vec4(relative, kind_of(light.kind));
     data.direction_layer =
@@ -79,7 +85,8 @@ gpu::Defines defines_of(const Lighting::Pass& pass) {
     const auto local = static_cast<std::ptrdiff_t>(lights.size()) - directional;
     // More than two local lights are a loop over bits: one program serves any number of them.
     gpu::Defines defines = {
-        fmt::format("DIRECTIONAL_COUNT={}", directional), fmt::format("LOCAL_COUNT={}", std::min<std::ptrdiff_t>(local, 3))};
+        fmt::format("DIRECTIONAL_COUNT={}", directional),
+        fmt::format("LOCAL_COUNT={}", std::min<std::ptrdiff_t>(local, 3))};
     if (pass.masks != nullptr) defines.emplace_back("MASKS");
     if (pass.earlier != nullptr) defines.emplace_back("ADD_EARLIER");
     if (pass.last) defines.emplace_back("TONE_MAP");
@@ -96,10 +103,12 @@ float default_exposure(std::span<const scene::PlacedLight> lights) {
         const scene::Light& light = placed.light;
         float illuminance = light.intensity;
         if (light.kind != scene::LightKind::directional) {
-            const float distance = std::isfinite(light.range) ? light.range * 0.25F : kWorkingDistance;
+            const float distance =
+                std::isfinite(light.range) ? light.range * 0.25F : kWorkingDistance;
             illuminance /= std::max(distance * distance, 1e-4F);
         }
-        strongest = std::max(strongest, illuminance * std::max({light.color.r, light.color.g, light.color.b}));
+        strongest = std::max(
+            strongest, illuminance * std::max({light.color.r, light.color.g, light.color.b}));
     }
     return strongest > 0.0F ? kWhite * static_cast<float>(std::numbers::pi) / strongest : 1.0F;
 }
@@ -115,7 +124,8 @@ engine::Result<void> Lighting::draw(
     const GBuffer& gbuffer,
     const gpu::Framebuffer& target,
     const Pass& pass) {
-    const auto program = shaders.graphics("render/lighting.vert", "render/lighting.frag", defines_of(pass));
+    const auto program =
+        shaders.graphics("render/lighting.vert", "render/lighting.frag", defines_of(pass));
     if (!program) return program.error();
     const auto tiles = light_tiles(pass.batch, pass.camera.width, pass.camera.height);
     tiles_.assign(gpu::bytes_of(tiles));

@@ -17,11 +17,11 @@ namespace render {
 /// What light becomes on the picture.
 struct Exposure {
     glm::vec3 ambient = {0.2F, 0.2F, 0.2F}; ///< after exposure: a white surface shows this much
-    float scale = 1.0F; ///< exposed light per (illuminance * albedo / pi)
+    float scale = 1.0F;                     ///< exposed light per (illuminance * albedo / pi)
 };
 
-/// The exposure under which white surfaces that face the strongest light show 0.8 of it, where a level sets none.
-/// Spot and point lights count at a quarter of their range, or at 3 m.
+/// The exposure under which white surfaces that face the strongest light show 0.8 of it, where a
+/// level sets none. Spot and point lights count at a quarter of their range, or at 3 m.
 float default_exposure(std::span<const scene::PlacedLight> lights);
 
 /// Draws lighting batches, one after the other.
@@ -35,9 +35,11 @@ public:
         const scene::CameraView& camera;
         std::span<const scene::PlacedLight> lights; ///< of the frame
         Exposure exposure;
-        const gpu::Texture* masks;   ///< array of MAX_MASK_LAYERS or fewer; null when the batch has none
-        const gpu::Texture* earlier; ///< rgba16f with the light of earlier batches; null for the first
-        bool last;                   ///< tone maps and encodes
+        const gpu::Texture*
+            masks; ///< array of MAX_MASK_LAYERS or fewer; null when the batch has none
+        const gpu::Texture*
+            earlier; ///< rgba16f with the light of earlier batches; null for the first
+        bool last;   ///< tone maps and encodes
     };
 
     /// Errors: a shader that does not compile.

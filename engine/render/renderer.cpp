@@ -24,10 +24,12 @@ FrameConstants constants_of(const scene::CameraView& camera) {
     FrameConstants constants;
     constants.clip_from_relative = camera.clip_from_relative();
     constants.ray_corner = glm::vec4(glm::vec3(corner), 0.0F);
-    constants.ray_per_x = glm::vec4(glm::vec3(camera.ray_direction(1.0, camera.height) - corner), 0.0F);
-    constants.ray_per_y = glm::vec4(glm::vec3(camera.ray_direction(0.0, camera.height - 1.0) - corner), 0.0F);
-    constants.size_near =
-        glm::vec4(static_cast<float>(camera.width), static_cast<float>(camera.height), camera.near, 0.0F);
+    constants.ray_per_x =
+        glm::vec4(glm::vec3(camera.ray_direction(1.0, camera.height) - corner), 0.0F);
+    constants.ray_per_y =
+        glm::vec4(glm::vec3(camera.ray_direction(0.0, camera.height - 1.0) - corner), 0.0F);
+    constants.size_near = glm::vec4(
+        static_cast<float>(camera.width), static_cast<float>(camera.height), camera.near, 0.0F);
     return constants;
 }
 
@@ -75,12 +77,16 @@ void Renderer::upload_view(const scene::World& world, const scene::CameraView& c
     const FrameConstants constants = constants_of(camera);
     frame_constants_.assign(gpu::bytes_of_value(constants));
     frame_constants_.bind_uniform(FRAME_BINDING);
-    list_ = build_draw_list(items_.all(), world.assets, pool_, camera.position, constants.clip_from_relative);
+    list_ = build_draw_list(
+        items_.all(), world.assets, pool_, camera.position, constants.clip_from_relative);
     draws_.upload(list_);
 }
 
 engine::Result<void> Renderer::light_frame(
-    const FrameInput& input, LightVisibility* visibility, const gpu::Framebuffer& target, const FrameSettings& settings) {
+    const FrameInput& input,
+    LightVisibility* visibility,
+    const gpu::Framebuffer& target,
+    const FrameSettings& settings) {
     std::vector<gpu::Rect> areas;
     std::vector<bool> masked;
     for (std::size_t light = 0; light < input.lights.size(); ++light) {
@@ -88,17 +94,25 @@ engine::Result<void> Renderer::light_frame(
         masked.push_back(visibility != nullptr && visibility->serves(light));
     }
     const auto batches = batch_lights(input.lights, areas, masked);
-    const Exposure exposure{input.world.ambient, settings.exposure.value_or(default_exposure(input.lights))};
+    const Exposure exposure{
+        input.world.ambient, settings.exposure.value_or(default_exposure(input.lights))};
     const gpu::Texture* earlier = nullptr;
     for (std::size_t index = 0; index < batches.size(); ++index) {
         const LightBatch& batch = batches[index];
         if (auto reserved = reserve_masks(batch.layer_count); !reserved) return reserved;
         if (visibility != nullptr) draw_masks(batch, *visibility);
         const bool last = index + 1 == batches.size();
-        const auto into = last ? engine::Result<const gpu::Framebuffer*>(&target) : light_target(index);
+        const auto into =
+            last ? engine::Result<const gpu::Framebuffer*>(&target) : light_target(index);
         if (!into) return into.error();
         const Lighting::Pass pass{
-            batch, input.camera, input.lights, exposure, batch.layer_count > 0 ? &masks_.texture : nullptr, earlier, last};
+            batch,
+            input.camera,
+            input.lights,
+            exposure,
+            batch.layer_count > 0 ? &masks_.texture : nullptr,
+            earlier,
+            last};
         if (auto lit = lighting_.draw(frame_, shaders_, *gbuffer_, **into, pass); !lit) return lit;
         earlier = &light_textures_[index % 2];
     }
@@ -121,13 +135,15 @@ engine::Result<engine::Image> Renderer::draw_mask(std::size_t light, LightVisibi
     frame_.begin();
     gpu::clear_target(frame_, mask, {.color = glm::vec4(1.0F)});
     if (visibility.serves(light))
-        visibility.apply(frame_, light, {mask, gbuffer_->surface(), gbuffer_->depth(), mask.whole()});
+        visibility.apply(
+            frame_, light, {mask, gbuffer_->surface(), gbuffer_->depth(), mask.whole()});
     frame_.end();
     return gpu::read_image(masks_.texture);
 }
 
 engine::Result<void> Renderer::resize(int width, int height) {
-    if (gbuffer_ && gbuffer_->target().width() == width && gbuffer_->target().height() == height) return {};
+    if (gbuffer_ && gbuffer_->target().width() == width && gbuffer_->target().height() == height)
+        return {};
     auto made = GBuffer::make(width, height);
     if (!made) return made.error();
     gbuffer_ = *std::move(made);
@@ -149,8 +165,8 @@ engine::Result<void> Renderer::reserve_masks(int layers) {
          .height = size.height,
          .layers = layers});
     for (int layer = 0; layer < layers; ++layer) {
-        auto target =
-            gpu::Framebuffer::make(fmt::format("mask {}", layer), {.colors = {{&made.texture, 0, layer}}});
+        auto target = gpu::Framebuffer::make(
+            fmt::format("mask {}", layer), {.colors = {{&made.texture, 0, layer}}});
         if (!target) return target.error();
         made.targets.push_back(*std::move(target));
     }
@@ -166,7 +182,8 @@ engine::Result<const gpu::Framebuffer*> Renderer::light_target(std::size_t batch
     texture = gpu::Texture(
         fmt::format("light {}", batch % 2),
         {.format = gpu::Format::rgba16f, .width = size.width, .height = size.height});
-    auto made = gpu::Framebuffer::make(fmt::format("light {}", batch % 2), {.colors = {{&texture}}});
+    auto made =
+        gpu::Framebuffer::make(fmt::format("light {}", batch % 2), {.colors = {{&texture}}});
     if (!made) return made.error();
     target = *std::move(made);
     return &target;

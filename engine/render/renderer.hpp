@@ -1,4 +1,5 @@
-// The frame, top to bottom: geometry once, jobs due, masks, lighting. Owns what lasts from frame to frame.
+// The frame, top to bottom: geometry once, jobs due, masks, lighting. Owns what lasts from frame to
+// frame.
 
 #pragma once
 
@@ -21,7 +22,8 @@ struct FrameSettings {
 
 class Renderer {
 public:
-    /// Needs a current context that outlives it. @param shader_folders of modules besides "render" and "gpu"
+    /// Needs a current context that outlives it. @param shader_folders of modules besides "render"
+    /// and "gpu"
     explicit Renderer(std::vector<gpu::ShaderFolder> shader_folders = {});
 
     /// Draws the world as the camera sees it. The same input gives the same pixels.
@@ -59,7 +61,10 @@ private:
     engine::Result<void> reserve_masks(int layers);
     void draw_masks(const LightBatch& batch, LightVisibility& visibility);
     engine::Result<void> light_frame(
-        const FrameInput& input, LightVisibility* visibility, const gpu::Framebuffer& target, const FrameSettings& settings);
+        const FrameInput& input,
+        LightVisibility* visibility,
+        const gpu::Framebuffer& target,
+        const FrameSettings& settings);
     engine::Result<const gpu::Framebuffer*> light_target(std::size_t batch);
 
     gpu::ShaderLibrary shaders_;

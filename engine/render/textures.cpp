@@ -9,14 +9,18 @@ namespace {
 
 gpu::Wrap wrap_of(scene::Wrap wrap) {
     switch (wrap) {
-    case scene::Wrap::mirror: return gpu::Wrap::mirrored_repeat;
-    case scene::Wrap::clamp: return gpu::Wrap::clamp_to_edge;
-    case scene::Wrap::repeat: break;
+    case scene::Wrap::mirror:
+        return gpu::Wrap::mirrored_repeat;
+    case scene::Wrap::clamp:
+        return gpu::Wrap::clamp_to_edge;
+    case scene::Wrap::repeat:
+        break;
     }
     return gpu::Wrap::repeat;
 }
 
-/// Rows stay in the picture's order: glTF's texture coordinates count from the top, and row 0 lies at v = 0.
+/// Rows stay in the picture's order: glTF's texture coordinates count from the top, and row 0 lies
+/// at v = 0.
 gpu::Texture make_texture(const scene::Texture& picture) {
     CHECK_EQ(picture.image.channels, 4);
     const gpu::Filter filter = picture.nearest ? gpu::Filter::nearest : gpu::Filter::linear;

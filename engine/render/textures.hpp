@@ -15,7 +15,9 @@ public:
     void sync(const scene::Assets& assets);
 
     /// @param texture index into Assets::textures
-    [[nodiscard]] const gpu::Texture& get(std::uint32_t texture) const { return textures_[texture]; }
+    [[nodiscard]] const gpu::Texture& get(std::uint32_t texture) const {
+        return textures_[texture];
+    }
 
 private:
     std::vector<gpu::Texture> textures_;

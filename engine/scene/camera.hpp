@@ -31,11 +31,14 @@ struct CameraView {
     [[nodiscard]] glm::mat4 clip_from_view() const;
     /// The world relative to the camera's position (same axes as the world) to view space.
     [[nodiscard]] glm::mat4 view_from_relative() const;
-    [[nodiscard]] glm::mat4 clip_from_relative() const { return clip_from_view() * view_from_relative(); }
+    [[nodiscard]] glm::mat4 clip_from_relative() const {
+        return clip_from_view() * view_from_relative();
+    }
 
-    /// Direction in world space, not normalised, of length 1 along the view axis: a hit at parameter t has
-    /// view depth t.
-    /// @param x_px, y_px picture coordinates, origin top left; the centre of the first pixel is (0.5, 0.5)
+    /// Direction in world space, not normalised, of length 1 along the view axis: a hit at
+    /// parameter t has view depth t.
+    /// @param x_px, y_px picture coordinates, origin top left; the centre of the first pixel is
+    /// (0.5, 0.5)
     [[nodiscard]] glm::dvec3 ray_direction(double x_px, double y_px) const;
 
     /// Size of a pixel at view depth 1, in metres: p(z) = 2 z tan(fov_y / 2) / height.

@@ -13,7 +13,11 @@ namespace scene {
 namespace {
 
 glm::dvec3 spline(
-    const glm::dvec3& before, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& after, double at) {
+    const glm::dvec3& before,
+    const glm::dvec3& from,
+    const glm::dvec3& to,
+    const glm::dvec3& after,
+    double at) {
     const glm::dvec3 linear = to - before;
     const glm::dvec3 square = 2.0 * before - 5.0 * from + 4.0 * to - after;
     const glm::dvec3 cube = -before + 3.0 * from - 3.0 * to + after;
@@ -23,7 +27,8 @@ glm::dvec3 spline(
 CameraView turning(CameraView view, double at) {
     constexpr double kReach = std::numbers::pi / 6.0;
     const auto angle = static_cast<float>(kReach * std::sin(2.0 * std::numbers::pi * at));
-    view.world_from_view = glm::mat3_cast(glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F))) * view.world_from_view;
+    view.world_from_view =
+        glm::mat3_cast(glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F))) * view.world_from_view;
     return view;
 }
 
@@ -42,10 +47,16 @@ CameraView view_along(const std::vector<CameraView>& stops, double at) {
     const double within = scaled - static_cast<double>(from);
     CameraView view = stop(from);
     view.position = spline(
-        stop(from - 1).position, stop(from).position, stop(from + 1).position, stop(from + 2).position, within);
+        stop(from - 1).position,
+        stop(from).position,
+        stop(from + 1).position,
+        stop(from + 2).position,
+        within);
     const auto share = static_cast<float>(within);
     view.world_from_view = glm::mat3_cast(glm::slerp(
-        glm::quat_cast(stop(from).world_from_view), glm::quat_cast(stop(from + 1).world_from_view), share));
+        glm::quat_cast(stop(from).world_from_view),
+        glm::quat_cast(stop(from + 1).world_from_view),
+        share));
     view.fov_y = glm::mix(stop(from).fov_y, stop(from + 1).fov_y, share);
     return view;
 }

@@ -8,8 +8,8 @@
 
 namespace scene {
 
-/// The view at `at` in [0, 1] along the stops, which are spread evenly. Positions follow a spline through the stops, turns
-/// are the shortest. One stop: a slow turn of 30 degrees to each side.
+/// The view at `at` in [0, 1] along the stops, which are spread evenly. Positions follow a spline
+/// through the stops, turns are the shortest. One stop: a slow turn of 30 degrees to each side.
 /// @pre not empty
 /// Source: Catmull and Rom, "A Class of Local Interpolating Splines", 1974.
 CameraView view_along(const std::vector<CameraView>& stops, double at);

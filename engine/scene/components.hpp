@@ -1,4 +1,5 @@
-// Components that scenes are made of, besides Transform, WorldTransform, Light and Camera. Plain data.
+// Components that scenes are made of, besides Transform, WorldTransform, Light and Camera. Plain
+// data.
 
 #pragma once
 
@@ -38,8 +39,8 @@ struct ShadowRole {
     bool hero = false;
 };
 
-/// Vertices of a mesh that deforms, in mesh space, as posed for this frame. Geometry, volumes, maps and truth
-/// all read these; nothing else deforms anything.
+/// Vertices of a mesh that deforms, in mesh space, as posed for this frame. Geometry, volumes, maps
+/// and truth all read these; nothing else deforms anything.
 struct PosedMesh {
     std::vector<glm::vec3> positions; ///< one per vertex of the mesh
     std::vector<glm::vec3> normals;   ///< unit, one per vertex
@@ -48,8 +49,8 @@ struct PosedMesh {
 
 /// Moves a MeshInstance by joints.
 struct Skinned {
-    std::uint32_t skin = 0;           ///< index into Assets::skins
-    std::vector<ecs::Entity> joints;  ///< in the order of the skin
+    std::uint32_t skin = 0;          ///< index into Assets::skins
+    std::vector<ecs::Entity> joints; ///< in the order of the skin
 };
 
 /// Weights of the morph targets of a MeshInstance.
@@ -57,15 +58,16 @@ struct MorphWeights {
     std::vector<float> weights;
 };
 
-/// Plays one clip of a model on the entities made from its nodes. Sits on the root entity of the instance.
+/// Plays one clip of a model on the entities made from its nodes. Sits on the root entity of the
+/// instance.
 struct AnimationPlayer {
-    std::uint32_t first_clip = 0;      ///< index into Assets::clips of this model's first clip
+    std::uint32_t first_clip = 0; ///< index into Assets::clips of this model's first clip
     std::uint32_t clip_count = 0;
-    std::uint32_t clip = 0;            ///< 0 .. clip_count - 1
-    float time = 0.0F;                 ///< seconds
-    float speed = 1.0F;                ///< 1 is as authored, 0 stands still
+    std::uint32_t clip = 0; ///< 0 .. clip_count - 1
+    float time = 0.0F;      ///< seconds
+    float speed = 1.0F;     ///< 1 is as authored, 0 stands still
     bool loops = true;
-    std::vector<ecs::Entity> nodes;    ///< entity of each Model node
+    std::vector<ecs::Entity> nodes; ///< entity of each Model node
 };
 
 } // namespace scene

@@ -16,14 +16,15 @@
 
 namespace scene {
 
-/// What a designer asked of shadows, at one place (scene, light, receiver, caster or rule). Empty: not said here.
+/// What a designer asked of shadows, at one place (scene, light, receiver, caster or rule). Empty:
+/// not said here.
 struct ShadowWish {
-    std::optional<std::string> technique;        ///< "auto" or the name of one
+    std::optional<std::string> technique;          ///< "auto" or the name of one
     std::optional<std::vector<std::string>> never; ///< techniques that must not be picked
-    std::optional<float> error_px;               ///< accepted edge displacement, pixels
-    std::optional<int> map_size;                 ///< texels per side
-    std::optional<std::string> filter;           ///< "nearest", "bilinear", "pcf", "pcss"
-    std::optional<int> samples;                  ///< light samples of soft techniques
+    std::optional<float> error_px;                 ///< accepted edge displacement, pixels
+    std::optional<int> map_size;                   ///< texels per side
+    std::optional<std::string> filter;             ///< "nearest", "bilinear", "pcf", "pcss"
+    std::optional<int> samples;                    ///< light samples of soft techniques
     std::optional<int> cascades;
 };
 
@@ -71,10 +72,10 @@ struct RuleDescription {
 
 struct SceneDescription {
     std::string file;
-    ShadowWish shadow;                ///< scene-wide; error_px is the scene's budget
-    std::optional<float> shadow_ms;   ///< accepted sum of predicted shadow work per frame
+    ShadowWish shadow;              ///< scene-wide; error_px is the scene's budget
+    std::optional<float> shadow_ms; ///< accepted sum of predicted shadow work per frame
     glm::vec3 ambient = {0.2F, 0.2F, 0.2F};
-    std::optional<float> exposure;    ///< none: as render::default_exposure finds it
+    std::optional<float> exposure; ///< none: as render::default_exposure finds it
     std::vector<LightDescription> lights;
     std::vector<CameraDescription> cameras;
     std::vector<ModelDescription> models;

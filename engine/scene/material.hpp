@@ -28,9 +28,11 @@ struct Material {
     std::string name;
     glm::vec4 base_color = {1.0F, 1.0F, 1.0F, 1.0F}; ///< linear
     std::uint32_t texture = kNoTexture;              ///< index into Assets::textures
-    bool alpha_masked = false;  ///< pixels with alpha < alpha_cutoff are holes, in pictures, shadows and truth alike
+    bool alpha_masked =
+        false; ///< pixels with alpha < alpha_cutoff are holes, in pictures, shadows and truth alike
     float alpha_cutoff = 0.5F;
-    bool double_sided = false;  ///< drawn from both sides; shadows are cast by both sides in any case
+    bool double_sided =
+        false; ///< drawn from both sides; shadows are cast by both sides in any case
 };
 
 } // namespace scene

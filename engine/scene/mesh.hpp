@@ -1,5 +1,5 @@
-// A mesh as every part of the engine sees it: triangles in mesh space, what they are made of, and what
-// was found wrong with them. One glTF mesh is one Mesh; its primitives are submeshes.
+// A mesh as every part of the engine sees it: triangles in mesh space, what they are made of, and
+// what was found wrong with them. One glTF mesh is one Mesh; its primitives are submeshes.
 
 #pragma once
 
@@ -23,7 +23,8 @@ struct Submesh {
     Topology topology = Topology::triangles;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0; ///< a multiple of 3, 2 or 1, as the topology asks
-    std::uint32_t material = 0;    ///< index into Assets::materials (Model::materials before it is added)
+    std::uint32_t material =
+        0; ///< index into Assets::materials (Model::materials before it is added)
 };
 
 /// A connected coplanar part of a mesh, mesh space: dot(normal, p) = offset for its points.
@@ -53,18 +54,19 @@ inline constexpr int kMaxPatches = 16;
 
 struct Mesh {
     std::string name;
-    std::vector<glm::vec3> positions;     ///< finite
-    std::vector<glm::vec3> normals;       ///< unit length, one per vertex
-    std::vector<glm::vec2> uvs;           ///< one per vertex, or empty
-    std::vector<std::uint8_t> patch_ids;  ///< one per vertex: 0 is "the rest", k is patches[k - 1]; constant over each triangle
-    std::vector<std::uint32_t> indices;   ///< all < positions.size()
+    std::vector<glm::vec3> positions;    ///< finite
+    std::vector<glm::vec3> normals;      ///< unit length, one per vertex
+    std::vector<glm::vec2> uvs;          ///< one per vertex, or empty
+    std::vector<std::uint8_t> patch_ids; ///< one per vertex: 0 is "the rest", k is patches[k - 1];
+                                         ///< constant over each triangle
+    std::vector<std::uint32_t> indices;  ///< all < positions.size()
     std::vector<Submesh> submeshes;
     std::vector<JointInfluence> influences; ///< one per vertex when the mesh is skinned, else empty
     std::vector<MorphTarget> morph_targets;
-    std::vector<float> morph_weights;     ///< defaults, one per target
-    engine::Aabb bounds;                  ///< of the positions that indices use
-    std::vector<FlatPatch> patches;       ///< at most kMaxPatches
-    MeshHealth health;                    ///< of all triangles together
+    std::vector<float> morph_weights; ///< defaults, one per target
+    engine::Aabb bounds;              ///< of the positions that indices use
+    std::vector<FlatPatch> patches;   ///< at most kMaxPatches
+    MeshHealth health;                ///< of all triangles together
 
     [[nodiscard]] bool deforms() const { return !influences.empty() || !morph_targets.empty(); }
 };

@@ -1,6 +1,6 @@
-// What a mesh is fit for as a shadow caster. Real props are mostly open, and no mesh is closed by its
-// indices alone, so vertices are first welded by exact position; then edges are counted, and OpenMesh
-// builds half-edges from the manifold part while the faces it refuses stay as a remainder.
+// What a mesh is fit for as a shadow caster. Real props are mostly open, and no mesh is closed by
+// its indices alone, so vertices are first welded by exact position; then edges are counted, and
+// OpenMesh builds half-edges from the manifold part while the faces it refuses stay as a remainder.
 
 #pragma once
 
@@ -14,18 +14,22 @@
 namespace scene {
 
 struct MeshHealth {
-    std::uint32_t triangles = 0;           ///< as indexed, degenerate ones included
-    std::uint32_t degenerate_triangles = 0; ///< two corners welded together, or zero area
-    std::uint32_t open_edges_by_index = 0; ///< edges with one triangle when neighbours are found through indices alone
-    std::uint32_t open_edges = 0;          ///< edges with one triangle after the weld
-    std::uint32_t non_manifold_edges = 0;  ///< edges with more than two triangles
-    std::uint32_t flipped_edges = 0;       ///< two triangles that run the edge the same way
-    std::uint32_t doubled_triangles = 0;   ///< triangles that share all three corners with an earlier one
+    std::uint32_t triangles = 0; ///< as indexed, degenerate ones included
+    std::uint32_t degenerate_triangles =
+        0; ///< two corners welded together; left out of what follows
+    std::uint32_t open_edges_by_index =
+        0; ///< edges with one triangle when neighbours are found through indices alone
+    std::uint32_t open_edges = 0;         ///< edges with one triangle after the weld
+    std::uint32_t non_manifold_edges = 0; ///< edges with more than two triangles
+    std::uint32_t flipped_edges = 0;      ///< two triangles that run the edge the same way
+    std::uint32_t doubled_triangles =
+        0; ///< triangles that share all three corners with an earlier one
     std::uint32_t remainder_triangles = 0; ///< refused by the half-edge structure
 
     /// Safe for a stencil shadow volume: a surface without edges, holes or contradictions.
     [[nodiscard]] bool closed() const {
-        return triangles > degenerate_triangles && open_edges == 0 && non_manifold_edges == 0 && flipped_edges == 0;
+        return triangles > degenerate_triangles && open_edges == 0 && non_manifold_edges == 0
+               && flipped_edges == 0;
     }
     /// "closed", "open (278 edges)", "non-manifold (19 edges), badly wound (44 edges)" ...
     [[nodiscard]] std::string summary() const;
@@ -36,6 +40,7 @@ struct MeshHealth {
 std::vector<std::uint32_t> weld_by_position(std::span<const glm::vec3> positions);
 
 /// @param indices triangle list; all < positions.size()
-MeshHealth examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
+MeshHealth
+examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
 } // namespace scene

@@ -15,11 +15,12 @@
 
 namespace scene {
 
-/// Joints of a skin, as node indices, with the matrices that take mesh space to each joint's bind space.
+/// Joints of a skin, as node indices, with the matrices that take mesh space to each joint's bind
+/// space.
 struct Skin {
     std::string name;
-    std::vector<std::uint32_t> joints;              ///< indices into Model::nodes
-    std::vector<glm::mat4> joint_from_mesh;         ///< inverse bind matrices, one per joint
+    std::vector<std::uint32_t> joints;      ///< indices into Model::nodes
+    std::vector<glm::mat4> joint_from_mesh; ///< inverse bind matrices, one per joint
 };
 
 struct Node {

@@ -1,5 +1,5 @@
-// Receiver ids: one number for every flat patch of every mesh in a world, and one for the rest of each
-// mesh. The G-buffer writes them, plans name them, truth is compared by them.
+// Receiver ids: one number for every flat patch of every mesh in a world, and one for the rest of
+// each mesh. The G-buffer writes them, plans name them, truth is compared by them.
 
 #pragma once
 
@@ -20,7 +20,8 @@ inline constexpr std::uint32_t kMaxReceivers = 1U << 20U;
 struct ReceiverRange {
     ecs::Entity entity;
     std::uint32_t first = 0;
-    std::uint32_t count = 0; ///< 1 + number of patches; 1 when ids run short and patches are given up
+    std::uint32_t count =
+        0; ///< 1 + number of patches; 1 when ids run short and patches are given up
 };
 
 /// One part of a mesh: what a receiver id stands for.
@@ -29,7 +30,8 @@ struct ReceiverPart {
     std::uint32_t patch = 0; ///< 0 is the rest, k is Mesh::patches[k - 1]
 };
 
-/// All ids of a world, in the order of its entities' numbers, so that the same world gives the same ids.
+/// All ids of a world, in the order of its entities' numbers, so that the same world gives the same
+/// ids.
 class ReceiverTable {
 public:
     ReceiverTable() = default;

@@ -24,7 +24,8 @@ struct Assets {
     std::vector<AnimationClip> clips; ///< channel.node counts in the nodes of its own model
 };
 
-/// What update_world_transforms remembers from call to call, so that a still world costs three comparisons.
+/// What update_world_transforms remembers from call to call, so that a still world costs three
+/// comparisons.
 struct PlacementOrder {
     static constexpr std::uint32_t kNoParent = 0xFFFFFFFFU;
     struct Entry {
@@ -42,13 +43,15 @@ struct World {
     ecs::Registry registry;
     Assets assets;
     PlacementOrder placement; ///< of update_world_transforms alone
-    glm::vec3 ambient = {0.2F, 0.2F, 0.2F}; ///< light that comes from everywhere, relative to the exposure (below)
+    glm::vec3 ambient = {
+        0.2F, 0.2F, 0.2F}; ///< light that comes from everywhere, relative to the exposure (below)
     float exposure = 1.0F; ///< multiplies light before tone mapping; see render/lighting
 };
 
 /// A model whose meshes, materials, textures, skins and clips are in Assets already.
 struct ModelAssets {
-    Model model; ///< nodes, cameras, lights; its meshes, materials, textures, skins and clips have moved to Assets
+    Model model; ///< nodes, cameras, lights; its meshes, materials, textures, skins and clips have
+                 ///< moved to Assets
     std::uint32_t first_mesh = 0;
     std::uint32_t first_skin = 0;
     std::uint32_t first_clip = 0;
@@ -58,23 +61,27 @@ struct ModelAssets {
 /// Moves the model's shared parts into `assets`, once per file.
 ModelAssets add_assets(Assets& assets, Model&& model);
 
-/// Makes one entity per node (and a root above them) with Transform, WorldTransform, Name, Parent and, as the node
-/// asks, MeshInstance, ShadowRole, Skinned, MorphWeights, PosedMesh, Light and Camera. Clips give the root an AnimationPlayer.
+/// Makes one entity per node (and a root above them) with Transform, WorldTransform, Name, Parent
+/// and, as the node asks, MeshInstance, ShadowRole, Skinned, MorphWeights, PosedMesh, Light and
+/// Camera. Clips give the root an AnimationPlayer.
 /// @param name of the root; nodes are called "name/node", or just "node" when `name` is empty
 /// @return the root
 ecs::Entity instantiate(World& world, const ModelAssets& model, const std::string& name);
 
-/// Writes WorldTransform from Transform and Parent, parents first; patches only what changed, and gives a
-/// WorldTransform to entities that have a Transform alone. A parent that is dead or has no Transform counts as none.
+/// Writes WorldTransform from Transform and Parent, parents first; patches only what changed, and
+/// gives a WorldTransform to entities that have a Transform alone. A parent that is dead or has no
+/// Transform counts as none.
 /// @pre no entity is its own ancestor
-/// Cost: nothing when nothing changed; else one version look-up per entity, one matrix product per changed one.
+/// Cost: nothing when nothing changed; else one version look-up per entity, one matrix product per
+/// changed one.
 void update_world_transforms(World& world);
 
-/// Advances every AnimationPlayer by dt seconds (0 re-samples) and writes Transforms and MorphWeights.
+/// Advances every AnimationPlayer by dt seconds (0 re-samples) and writes Transforms and
+/// MorphWeights.
 void advance_animations(World& world, float dt);
 
-/// Poses every skinned or morphed mesh whose joints or weights changed into its PosedMesh. Run it after
-/// update_world_transforms. Skinned vertices end in the mesh's own space, so that
+/// Poses every skinned or morphed mesh whose joints or weights changed into its PosedMesh. Run it
+/// after update_world_transforms. Skinned vertices end in the mesh's own space, so that
 /// world_from_local * position is the glTF result (which ignores the node's own transform).
 void pose_meshes(World& world);
 

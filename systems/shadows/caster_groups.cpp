@@ -9,7 +9,8 @@ namespace shadows {
 
 namespace {
 
-/// Enough casters to be worth a group of their own; smaller clusters cost more decisions than they save.
+/// Enough casters to be worth a group of their own; smaller clusters cost more decisions than they
+/// save.
 constexpr std::size_t kSmallestCluster = 8;
 
 CasterGroup make_group(const ShadowScene& scene, std::span<const std::uint32_t> casters) {
@@ -25,9 +26,13 @@ CasterGroup make_group(const ShadowScene& scene, std::span<const std::uint32_t> 
     return group;
 }
 
-/// Halves `casters` at the median of the longest side of their centres until `room` groups are used up.
+/// Halves `casters` at the median of the longest side of their centres until `room` groups are used
+/// up.
 void cluster(
-    const ShadowScene& scene, std::span<std::uint32_t> casters, std::size_t room, std::vector<CasterGroup>& groups) {
+    const ShadowScene& scene,
+    std::span<std::uint32_t> casters,
+    std::size_t room,
+    std::vector<CasterGroup>& groups) {
     if (room < 2 || casters.size() < 2 * kSmallestCluster) {
         groups.push_back(make_group(scene, casters));
         return;

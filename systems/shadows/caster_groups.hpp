@@ -1,5 +1,5 @@
-// Casters of one light in groups: each hero alone, the others by where they stand. A group is the unit that
-// the picker gives to a technique.
+// Casters of one light in groups: each hero alone, the others by where they stand. A group is the
+// unit that the picker gives to a technique.
 
 #pragma once
 
@@ -19,9 +19,10 @@ struct CasterGroup {
     std::uint64_t triangles = 0;
 };
 
-/// The casters that can stand between the light and something, in at most kMaxGroupsPerLight groups: heroes first,
-/// then clusters made by halving the longest side at the median until there are enough. Same scene, same groups.
-/// When there are more heroes than groups, the last group holds the remaining ones together.
+/// The casters that can stand between the light and something, in at most kMaxGroupsPerLight
+/// groups: heroes first, then clusters made by halving the longest side at the median until there
+/// are enough. Same scene, same groups. When there are more heroes than groups, the last group
+/// holds the remaining ones together.
 std::vector<CasterGroup> group_casters(const ShadowScene& scene, const LightView& light);
 
 } // namespace shadows

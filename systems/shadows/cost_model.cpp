@@ -26,8 +26,9 @@ Cost& Cost::operator+=(const Cost& other) {
 }
 
 DeviceProfile llvmpipe_profile() {
-    // Orders of magnitude measured with full-screen passes on llvmpipe (Mesa 22.3, 2 cores): a map look-up with
-    // one tap over 0.92 million pixels takes 13 to 16 ms, 820 k triangles about 50 ms. A ray takes about 1 us.
+    // Orders of magnitude measured with full-screen passes on llvmpipe (Mesa 22.3, 2 cores): a map
+    // look-up with one tap over 0.92 million pixels takes 13 to 16 ms, 820 k triangles about 50 ms.
+    // A ray takes about 1 us.
     DeviceProfile profile;
     profile.ms_per.vertices = 4e-5;
     profile.ms_per.depth_fragments = 2e-6;

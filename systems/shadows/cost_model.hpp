@@ -1,5 +1,5 @@
-// Counts into milliseconds. Decisions use committed coefficients, never measured time, so that the same
-// frame is planned alike on every machine.
+// Counts into milliseconds. Decisions use committed coefficients, never measured time, so that the
+// same frame is planned alike on every machine.
 
 #pragma once
 

@@ -12,8 +12,8 @@ double radius_of(const engine::WorldAabb& box) {
     return glm::length(box.extent()) * 0.5;
 }
 
-/// How much larger the shadow is than its caster: (a + b) / a with a from the light to the caster and b from there
-/// to the receiver; 1 for directional lights.
+/// How much larger the shadow is than its caster: (a + b) / a with a from the light to the caster
+/// and b from there to the receiver; 1 for directional lights.
 double magnification(const PairView& pair, const CasterGroup& casters) {
     if (pair.light.light.kind == scene::LightKind::directional) return 1.0;
     const double a = glm::length(casters.bounds.centre() - pair.light.position);
@@ -38,7 +38,8 @@ ShadowFootprint shadow_footprint(const PairView& pair, const CasterGroup& caster
     const glm::dvec3 nearest =
         glm::clamp(pair.scene.camera.position, pair.receiver.bounds.min, pair.receiver.bounds.max);
     const double distance = std::max(
-        glm::length(nearest - pair.scene.camera.position), static_cast<double>(pair.scene.camera.near));
+        glm::length(nearest - pair.scene.camera.position),
+        static_cast<double>(pair.scene.camera.near));
     const double radius_px = radius / (distance * pair.scene.camera.pixel_size());
     const double shown = screen_area_px(pair.scene.camera, pair.receiver.bounds);
     ShadowFootprint footprint;

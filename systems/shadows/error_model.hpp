@@ -1,4 +1,5 @@
-// Predicted errors on screen, from bounds alone: pure arithmetic, about a hundred operations per pair.
+// Predicted errors on screen, from bounds alone: pure arithmetic, about a hundred operations per
+// pair.
 
 #pragma once
 
@@ -15,8 +16,9 @@ struct ShadowFootprint {
 /// Area on screen of a box's bounding sphere, pixels; at most the whole picture.
 double screen_area_px(const scene::CameraView& camera, const engine::WorldAabb& box);
 
-/// The shadow is taken as the disc that the casters' bounding sphere throws, magnified by the distance behind it.
-/// Source: bounds of the shadow area A and edge length L = 2 sqrt(pi A) of a disc.
+/// The shadow is taken as the disc that the casters' bounding sphere throws, magnified by the
+/// distance behind it. Source: bounds of the shadow area A and edge length L = 2 sqrt(pi A) of a
+/// disc.
 ShadowFootprint shadow_footprint(const PairView& pair, const CasterGroup& casters);
 
 } // namespace shadows

@@ -30,7 +30,9 @@ struct Ball {
     double radius;
 
     Ball(const engine::WorldAabb& box, const glm::dvec3& light)
-        : offset(box.centre() - light), distance(glm::length(offset)), radius(glm::length(box.extent()) * 0.5) {}
+        : offset(box.centre() - light),
+          distance(glm::length(offset)),
+          radius(glm::length(box.extent()) * 0.5) {}
 
     [[nodiscard]] bool holds_light() const { return distance <= radius; }
     [[nodiscard]] double half_angle() const { return std::asin(radius / distance); }
@@ -42,9 +44,11 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 } // namespace
 
-bool can_shadow(const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver) {
+bool can_shadow(
+    const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver) {
     if (light.light.kind == scene::LightKind::directional) {
-        // A point of the caster moved along the light meets the receiver exactly when the ray meets their difference.
+        // A point of the caster moved along the light meets the receiver exactly when the ray meets
+        // their difference.
         const engine::WorldAabb difference{receiver.min - caster.max, receiver.max - caster.min};
         return ray_meets(difference, glm::dvec3(light.direction));
     }
@@ -52,31 +56,36 @@ bool can_shadow(const LightView& light, const engine::WorldAabb& caster, const e
     const Ball target(receiver, light.position);
     if (blocker.holds_light() || target.holds_light()) return true;
     if (target.distance + target.radius < blocker.distance - blocker.radius) return false;
-    return angle_between(blocker.offset, target.offset) <= blocker.half_angle() + target.half_angle();
+    return angle_between(blocker.offset, target.offset)
+           <= blocker.half_angle() + target.half_angle();
 }
 
 bool can_reach(const LightView& light, const engine::WorldAabb& box) {
     if (light.light.kind == scene::LightKind::directional) return true;
     const glm::dvec3 nearest = glm::clamp(light.position, box.min, box.max);
-    if (glm::length(nearest - light.position) > static_cast<double>(light.light.range)) return false;
+    if (glm::length(nearest - light.position) > static_cast<double>(light.light.range))
+        return false;
     if (light.light.kind == scene::LightKind::point) return true;
     const Ball ball(box, light.position);
-    return ball.holds_light() ||
-           angle_between(ball.offset, glm::dvec3(light.direction)) <=
-               static_cast<double>(light.light.outer_angle) + ball.half_angle();
+    return ball.holds_light()
+           || angle_between(ball.offset, glm::dvec3(light.direction))
+                  <= static_cast<double>(light.light.outer_angle) + ball.half_angle();
 }
 
-std::vector<Pair> find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<CasterGroup>& groups) {
+std::vector<Pair>
+find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<CasterGroup>& groups) {
     const LightView& view = scene.lights[light];
     const engine::Frustum frustum = engine::frustum_from_clip(scene.camera.clip_from_relative());
     std::vector<Pair> pairs;
     for (std::uint32_t index = 0; index < scene.receivers.size(); ++index) {
         const ReceiverView& receiver = scene.receivers[index];
-        if (!frustum.intersects(engine::relative_to(receiver.bounds, scene.camera.position))) continue;
+        if (!frustum.intersects(engine::relative_to(receiver.bounds, scene.camera.position)))
+            continue;
         if (!can_reach(view, receiver.bounds)) continue;
         Pair pair{light, index, {}};
         for (std::uint32_t group = 0; group < groups.size(); ++group)
-            if (can_shadow(view, groups[group].bounds, receiver.bounds)) pair.groups.push_back(group);
+            if (can_shadow(view, groups[group].bounds, receiver.bounds))
+                pair.groups.push_back(group);
         if (!pair.groups.empty()) pairs.push_back(std::move(pair));
     }
     return pairs;

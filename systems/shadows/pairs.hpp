@@ -1,4 +1,5 @@
-// Pairs of light and receiver that need a decision this frame, and the casters that can darken each.
+// Pairs of light and receiver that need a decision this frame, and the casters that can darken
+// each.
 
 #pragma once
 
@@ -13,7 +14,8 @@ namespace shadows {
 struct Pair {
     std::uint32_t light = 0;    ///< index into ShadowScene::lights
     std::uint32_t receiver = 0; ///< index into ShadowScene::receivers
-    std::vector<std::uint32_t> groups; ///< indices of the light's groups whose swept bounds meet the receiver, rising
+    std::vector<std::uint32_t>
+        groups; ///< indices of the light's groups whose swept bounds meet the receiver, rising
 };
 
 /// What a technique may look at when it predicts.
@@ -23,15 +25,20 @@ struct PairView {
     const ReceiverView& receiver;
 };
 
-/// True when a caster inside `caster` can darken a point inside `receiver`: the caster's bounds, swept away from the
-/// light, meet the receiver's. Conservative: never false for a pair that has a shadow.
-bool can_shadow(const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver);
+/// True when a caster inside `caster` can darken a point inside `receiver`: the caster's bounds,
+/// swept away from the light, meet the receiver's. Conservative: never false for a pair that has a
+/// shadow.
+bool can_shadow(
+    const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver);
 
-/// True when light can arrive in the box at all: within range, and for spots inside the cone. Conservative.
+/// True when light can arrive in the box at all: within range, and for spots inside the cone.
+/// Conservative.
 bool can_reach(const LightView& light, const engine::WorldAabb& box);
 
-/// Pairs of one light, in the order of the receivers. Pairs without casters are left out: they are fully lit.
+/// Pairs of one light, in the order of the receivers. Pairs without casters are left out: they are
+/// fully lit.
 /// @param light index into scene.lights
-std::vector<Pair> find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<CasterGroup>& groups);
+std::vector<Pair>
+find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<CasterGroup>& groups);
 
 } // namespace shadows

@@ -22,9 +22,13 @@ double rounded(double value) {
     return std::round(value * 1024.0) / 1024.0;
 }
 
-/// What a technique would do for all the pair's groups together. Displacements do not add up: the worst one counts.
-engine::Result<Prediction>
-predict_all(const ShadowTechnique& technique, const PairView& view, const Pair& pair, const FramePlan::LightGroups& light) {
+/// What a technique would do for all the pair's groups together. Displacements do not add up: the
+/// worst one counts.
+engine::Result<Prediction> predict_all(
+    const ShadowTechnique& technique,
+    const PairView& view,
+    const Pair& pair,
+    const FramePlan::LightGroups& light) {
     Prediction sum;
     for (const std::uint32_t group : pair.groups) {
         const auto part = technique.predict(view, light.groups[group]);
@@ -36,7 +40,8 @@ predict_all(const ShadowTechnique& technique, const PairView& view, const Pair& 
     return sum;
 }
 
-double budget_of(const scene::ShadowWish& wish, const Pair& pair, const FramePlan::LightGroups& light) {
+double
+budget_of(const scene::ShadowWish& wish, const Pair& pair, const FramePlan::LightGroups& light) {
     if (wish.error_px) return static_cast<double>(*wish.error_px);
     const bool hero = std::any_of(pair.groups.begin(), pair.groups.end(), [&](std::uint32_t group) {
         return light.groups[group].hero;
@@ -44,13 +49,15 @@ double budget_of(const scene::ShadowWish& wish, const Pair& pair, const FramePla
     return hero ? kHeroBudgetPx : kDefaultBudgetPx;
 }
 
-/// The technique's own say (domain) and the designer's (never, pins); no value when it may be taken.
+/// The technique's own say (domain) and the designer's (never, pins); no value when it may be
+/// taken.
 std::optional<std::string> forbidden(const TechniqueTraits& traits, const scene::ShadowWish& wish) {
     const std::string pinned = wish.technique.value_or("auto");
     if (pinned != "auto" && pinned != traits.name) return fmt::format("pinned to '{}'", pinned);
     if (pinned == "auto" && !traits.picked_by_auto) return "only for comparison";
     const auto never = wish.never.value_or(std::vector<std::string>{});
-    if (std::find(never.begin(), never.end(), traits.name) != never.end()) return "named in 'never'";
+    if (std::find(never.begin(), never.end(), traits.name) != never.end())
+        return "named in 'never'";
     return std::nullopt;
 }
 
@@ -71,7 +78,8 @@ const Option* choose(const std::vector<Option>& options, double budget_px) {
 
 std::string why_not(const Option& option, const Option& chosen, double budget_px) {
     if (rounded(option.predicted.error_px) > budget_px)
-        return fmt::format("error {:.3g} px over the budget of {:.3g} px", option.predicted.error_px, budget_px);
+        return fmt::format(
+            "error {:.3g} px over the budget of {:.3g} px", option.predicted.error_px, budget_px);
     return fmt::format("{:.3g} ms, dearer than {:.3g} ms", option.cost_ms, chosen.cost_ms);
 }
 
@@ -99,11 +107,14 @@ Plan pick_pair(
         const std::string name(traits.name);
         const auto predicted = predict_all(*technique, view, pair, light);
         if (const auto reason = forbidden(traits, wish))
-            plan.rejected.push_back({name, *reason, predicted ? std::optional(*predicted) : std::nullopt});
+            plan.rejected.push_back(
+                {name, *reason, predicted ? std::optional(*predicted) : std::nullopt});
         else if (!predicted)
-            plan.rejected.push_back({name, "outside its domain: " + predicted.error().message, std::nullopt});
+            plan.rejected.push_back(
+                {name, "outside its domain: " + predicted.error().message, std::nullopt});
         else
-            options.push_back({technique.get(), *predicted, milliseconds(predicted->cost, profile)});
+            options.push_back(
+                {technique.get(), *predicted, milliseconds(predicted->cost, profile)});
     }
     const Option* chosen = choose(options, plan.budget_px);
     if (chosen == nullptr) {
@@ -111,11 +122,14 @@ Plan pick_pair(
         return plan;
     }
     plan.reason = why(*chosen, wish, plan.budget_px);
-    plan.entries.push_back({std::string(chosen->technique->traits().name), pair.groups, chosen->predicted});
+    plan.entries.push_back(
+        {std::string(chosen->technique->traits().name), pair.groups, chosen->predicted});
     for (const Option& option : options)
         if (&option != chosen)
             plan.rejected.push_back(
-                {std::string(option.technique->traits().name), why_not(option, *chosen, plan.budget_px), option.predicted});
+                {std::string(option.technique->traits().name),
+                 why_not(option, *chosen, plan.budget_px),
+                 option.predicted});
     return plan;
 }
 
@@ -138,8 +152,8 @@ FramePlan pick(
                 glm::clamp(scene.camera.position, receiver.bounds.min, receiver.bounds.max);
             const double distance = glm::length(nearest - scene.camera.position);
             const scene::ShadowWish wish = settings.resolve(light, receiver.name, distance);
-            frame.plans.push_back(
-                pick_pair({scene, light, receiver}, pair, frame.groups.back(), wish, techniques, profile));
+            frame.plans.push_back(pick_pair(
+                {scene, light, receiver}, pair, frame.groups.back(), wish, techniques, profile));
         }
     }
     return frame;

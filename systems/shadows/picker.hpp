@@ -1,5 +1,6 @@
-// For each pair the cheapest technique in its domain whose predicted error is inside the budget, and why. Pure:
-// plain values in, plain values out, the same on every machine and independent of the order of entities.
+// For each pair the cheapest technique in its domain whose predicted error is inside the budget,
+// and why. Pure: plain values in, plain values out, the same on every machine and independent of
+// the order of entities.
 
 #pragma once
 

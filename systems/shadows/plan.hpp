@@ -1,5 +1,5 @@
-// What was decided for one pair of light and receiver, and why: the common language of picker, techniques,
-// plans.json, overlay and `gnomon explain`.
+// What was decided for one pair of light and receiver, and why: the common language of picker,
+// techniques, plans.json, overlay and `gnomon explain`.
 
 #pragma once
 
@@ -26,7 +26,8 @@ struct Cost {
     Cost& operator+=(const Cost& other);
 };
 
-/// What a technique would do for one pair and one group of casters, before it does anything. A plain value.
+/// What a technique would do for one pair and one group of casters, before it does anything. A
+/// plain value.
 struct Prediction {
     double error_px = 0.0;      ///< expected edge displacement on screen, pixels
     double error_area_px = 0.0; ///< expected sum of |V - V*| over the screen, pixels
@@ -52,8 +53,8 @@ struct Plan {
     std::uint32_t light = 0;    ///< id of the light
     std::uint32_t receiver = 0; ///< id of the receiver
     std::vector<PlanEntry> entries;
-    std::string reason;         ///< why these entries
-    double budget_px = 1.0;     ///< the error that was accepted
+    std::string reason;     ///< why these entries
+    double budget_px = 1.0; ///< the error that was accepted
     std::vector<Rejection> rejected;
 };
 

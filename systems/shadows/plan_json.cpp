@@ -29,7 +29,9 @@ struct Names {
 };
 
 Json to_json(const Prediction& predicted) {
-    return {{"error_px", rounded(predicted.error_px)}, {"error_area_px", rounded(predicted.error_area_px)}};
+    return {
+        {"error_px", rounded(predicted.error_px)},
+        {"error_area_px", rounded(predicted.error_area_px)}};
 }
 
 Json to_json(const Names& names, const Plan& plan) {

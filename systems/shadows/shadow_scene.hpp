@@ -1,5 +1,5 @@
-// What shadow decisions see of a frame: flat copies taken from the world once per frame. Techniques and the
-// picker read these and nothing else: no registry, no Lua, no clock, no OpenGL.
+// What shadow decisions see of a frame: flat copies taken from the world once per frame. Techniques
+// and the picker read these and nothing else: no registry, no Lua, no clock, no OpenGL.
 
 #pragma once
 
@@ -27,7 +27,7 @@ struct CasterView {
     glm::dmat4 world_from_mesh = glm::dmat4(1.0);
     engine::WorldAabb bounds;
     bool hero = false;
-    bool closed = false;  ///< safe for a stencil volume, by the mesh's health
+    bool closed = false; ///< safe for a stencil volume, by the mesh's health
     bool deforms = false;
     bool alpha_masked = false;
     std::uint32_t triangles = 0;
@@ -40,13 +40,13 @@ struct ReceiverView {
     std::string name;         ///< "floor", or "floor#2" for its second patch
     engine::WorldAabb bounds;
     bool flat = false;
-    glm::dvec3 normal = {};   ///< of a flat receiver: unit, outward
-    double offset = 0.0;      ///< of a flat receiver: dot(normal, p) for its points
-    double residual = 0.0;    ///< of a flat receiver: how far it leaves its plane, metres
+    glm::dvec3 normal = {}; ///< of a flat receiver: unit, outward
+    double offset = 0.0;    ///< of a flat receiver: dot(normal, p) for its points
+    double residual = 0.0;  ///< of a flat receiver: how far it leaves its plane, metres
 };
 
-/// One frame as shadows see it. Vectors are sorted by name (then id), so that no decision depends on the
-/// order in which entities were made.
+/// One frame as shadows see it. Vectors are sorted by name (then id), so that no decision depends
+/// on the order in which entities were made.
 struct ShadowScene {
     scene::CameraView camera;
     std::vector<LightView> lights; ///< those that are on

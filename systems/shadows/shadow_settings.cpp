@@ -22,7 +22,8 @@ void overlay(scene::ShadowWish& below, const scene::ShadowWish& above) {
 /// "hero/arm#2" belongs to the model "hero", and to "hero/arm".
 bool belongs_to(std::string_view receiver, std::string_view model) {
     if (!receiver.starts_with(model)) return false;
-    return receiver.size() == model.size() || receiver[model.size()] == '/' || receiver[model.size()] == '#';
+    return receiver.size() == model.size() || receiver[model.size()] == '/'
+           || receiver[model.size()] == '#';
 }
 
 } // namespace
@@ -38,19 +39,21 @@ ShadowSettings ShadowSettings::from(const scene::SceneDescription& description) 
     return settings;
 }
 
-scene::ShadowWish
-ShadowSettings::resolve(const scene::PlacedLight& light, std::string_view receiver, double distance) const {
+scene::ShadowWish ShadowSettings::resolve(
+    const scene::PlacedLight& light, std::string_view receiver, double distance) const {
     scene::ShadowWish wish = scene;
-    if (const auto found = lights.find(light.name); found != lights.end()) overlay(wish, found->second);
+    if (const auto found = lights.find(light.name); found != lights.end())
+        overlay(wish, found->second);
     for (const auto& [name, of_receiver] : receivers)
         if (belongs_to(receiver, name)) overlay(wish, of_receiver);
     for (const scene::RuleDescription& rule : rules) {
-        const bool applies = (!rule.light || *rule.light == light.name) &&
-                             (!rule.receiver || belongs_to(receiver, *rule.receiver)) &&
-                             (!rule.distance || distance >= static_cast<double>(*rule.distance));
+        const bool applies = (!rule.light || *rule.light == light.name)
+                             && (!rule.receiver || belongs_to(receiver, *rule.receiver))
+                             && (!rule.distance || distance >= static_cast<double>(*rule.distance));
         if (applies) overlay(wish, rule.shadow);
     }
-    if (const auto found = overriding.find(light.light.kind); found != overriding.end()) overlay(wish, found->second);
+    if (const auto found = overriding.find(light.light.kind); found != overriding.end())
+        overlay(wish, found->second);
     return wish;
 }
 

@@ -12,7 +12,8 @@
 
 namespace shadows {
 
-/// Budgets and pins of a level. Later wins: scene, light, receiver, rules in their order, then the overriding one.
+/// Budgets and pins of a level. Later wins: scene, light, receiver, rules in their order, then the
+/// overriding one.
 struct ShadowSettings {
     scene::ShadowWish scene;
     std::map<std::string, scene::ShadowWish, std::less<>> lights;    ///< by the light's name
@@ -24,7 +25,8 @@ struct ShadowSettings {
     static ShadowSettings from(const scene::SceneDescription& description);
 
     /// The wishes for one pair, one on top of the other. Fields nobody set stay empty.
-    /// @param receiver name of a receiver; its patches ("floor#2") and nodes ("hero/arm") follow their model ("floor")
+    /// @param receiver name of a receiver; its patches ("floor#2") and nodes ("hero/arm") follow
+    /// their model ("floor")
     /// @param distance from the camera to the receiver, metres
     [[nodiscard]] scene::ShadowWish
     resolve(const scene::PlacedLight& light, std::string_view receiver, double distance) const;

@@ -15,8 +15,8 @@ namespace {
 /// Changes whenever something moves, deforms, comes or goes.
 std::uint64_t versions_of(const scene::World& world) {
     const auto& registry = world.registry;
-    return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>() +
-           registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
+    return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>()
+           + registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
 }
 
 /// Everything about a light and its plans that a job draws from. Equal text, equal work.
@@ -24,8 +24,18 @@ std::string fingerprint(const LightView& light, const std::vector<const Plan*>& 
     const scene::Light& l = light.light;
     std::string text = fmt::format(
         "{} {} {} {} {} {} {} {} {} {} {} {}",
-        static_cast<int>(l.kind), light.position.x, light.position.y, light.position.z, light.direction.x,
-        light.direction.y, light.direction.z, l.range, l.inner_angle, l.outer_angle, l.radius, l.angular_radius);
+        static_cast<int>(l.kind),
+        light.position.x,
+        light.position.y,
+        light.position.z,
+        light.direction.x,
+        light.direction.y,
+        light.direction.z,
+        l.range,
+        l.inner_angle,
+        l.outer_angle,
+        l.radius,
+        l.angular_radius);
     for (const Plan* plan : plans) {
         text += fmt::format(" {}:", plan->receiver);
         for (const PlanEntry& entry : plan->entries)
@@ -40,7 +50,9 @@ std::vector<gpu::ShaderFolder> shader_folders() {
     return {embedded::shadows_shaders()};
 }
 
-ShadowSystem::ShadowSystem(DeviceProfile profile) : techniques_(all_techniques()), profile_(profile) {}
+ShadowSystem::ShadowSystem(DeviceProfile profile)
+    : techniques_(all_techniques()),
+      profile_(profile) {}
 
 engine::Result<void> ShadowSystem::prepare(const render::FrameInput& input) {
     scene_ = take_snapshot(input.world, input.receivers, input.camera, input.lights);
@@ -73,7 +85,8 @@ void ShadowSystem::assign_jobs() {
             if (key.first == scene_.lights[light].id) running.light = light;
 }
 
-engine::Result<void> ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_changed) {
+engine::Result<void>
+ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_changed) {
     due_.clear();
     const std::function<const trace::TraceScene&()> ask_truth = [&]() -> const trace::TraceScene& {
         return truth(input.world);
@@ -85,7 +98,8 @@ engine::Result<void> ShadowSystem::update_due_jobs(const render::FrameInput& inp
         if (!always_refresh && !world_changed && wanted == running.drawn_for) continue;
         const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
         const auto& groups = plan_.groups[running.light].groups;
-        const ShadowRequest request{scene_, running.light, groups, running.plans, receiver_end, wish, ask_truth};
+        const ShadowRequest request{
+            scene_, running.light, groups, running.plans, receiver_end, wish, ask_truth};
         if (auto updated = running.job->update(request); !updated) return updated;
         running.drawn_for = std::move(wanted);
         due_.push_back(&running);
@@ -99,7 +113,8 @@ const trace::TraceScene& ShadowSystem::truth(const scene::World& world) {
 }
 
 bool ShadowSystem::serves(std::size_t light) const {
-    return std::any_of(jobs_.begin(), jobs_.end(), [&](const auto& entry) { return entry.second.light == light; });
+    return std::any_of(
+        jobs_.begin(), jobs_.end(), [&](const auto& entry) { return entry.second.light == light; });
 }
 
 engine::Result<void> ShadowSystem::refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) {
@@ -108,7 +123,8 @@ engine::Result<void> ShadowSystem::refresh(gpu::Frame& frame, gpu::ShaderLibrary
     return {};
 }
 
-void ShadowSystem::apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) {
+void ShadowSystem::apply(
+    gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) {
     for (auto& [key, running] : jobs_)
         if (running.light == light) running.job->apply(frame, scene_.camera, target);
 }
@@ -119,10 +135,12 @@ std::vector<std::string> ShadowSystem::unserved() const {
         if (!plan.entries.empty()) continue;
         std::string reasons;
         for (const Rejection& rejection : plan.rejected)
-            reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", rejection.technique, rejection.reason);
-        const auto light = std::find_if(scene_.lights.begin(), scene_.lights.end(), [&](const LightView& view) {
-            return view.id == plan.light;
-        });
+            reasons += fmt::format(
+                "{}{}: {}", reasons.empty() ? "" : "; ", rejection.technique, rejection.reason);
+        const auto light =
+            std::find_if(scene_.lights.begin(), scene_.lights.end(), [&](const LightView& view) {
+                return view.id == plan.light;
+            });
         sentences.push_back(fmt::format("light '{}': {}", light->name, reasons));
     }
     std::sort(sentences.begin(), sentences.end());

@@ -1,5 +1,5 @@
-// The shadow system: takes a snapshot, plans every pair, keeps the jobs that plans name, and lowers masks. The one
-// class that knows both sides of the wall.
+// The shadow system: takes a snapshot, plans every pair, keeps the jobs that plans name, and lowers
+// masks. The one class that knows both sides of the wall.
 
 #pragma once
 
@@ -30,7 +30,8 @@ public:
     engine::Result<void> prepare(const render::FrameInput& input) override;
     [[nodiscard]] bool serves(std::size_t light) const override;
     engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) override;
-    void apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) override;
+    void
+    apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) override;
 
     /// Of the last prepared frame.
     [[nodiscard]] const ShadowScene& scene() const { return scene_; }
@@ -49,9 +50,9 @@ private:
     /// A job with what it was last drawn for.
     struct RunningJob {
         std::unique_ptr<ShadowJob> job;
-        std::uint32_t light = 0;         ///< index into scene_.lights
-        std::vector<const Plan*> plans;  ///< into plan_
-        std::string drawn_for;           ///< fingerprint of light and plans at the last refresh; empty: never
+        std::uint32_t light = 0;        ///< index into scene_.lights
+        std::vector<const Plan*> plans; ///< into plan_
+        std::string drawn_for; ///< fingerprint of light and plans at the last refresh; empty: never
     };
 
     void assign_jobs();

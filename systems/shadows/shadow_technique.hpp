@@ -1,6 +1,6 @@
-// The two interfaces of the shadow system. A technique is stateless and pure: it says what it would do for a
-// pair. A job is one technique at work for one light: it owns everything kept between frames, and dies when no
-// plan names it any more.
+// The two interfaces of the shadow system. A technique is stateless and pure: it says what it would
+// do for a pair. A job is one technique at work for one light: it owns everything kept between
+// frames, and dies when no plan names it any more.
 //
 // This header is read on both sides of the wall, so it names GPU types without knowing them.
 
@@ -19,7 +19,7 @@
 namespace gpu {
 class Frame;
 class ShaderLibrary;
-}
+} // namespace gpu
 namespace render {
 struct VisibilityTarget;
 }
@@ -30,20 +30,21 @@ class TraceScene;
 namespace shadows {
 
 struct TechniqueTraits {
-    std::string_view name;  ///< its spelling everywhere: Lua, plans.json, captures, charts
-    std::string_view about; ///< one line for people
+    std::string_view name;      ///< its spelling everywhere: Lua, plans.json, captures, charts
+    std::string_view about;     ///< one line for people
     bool picked_by_auto = true; ///< false: only when someone names it
 };
 
 /// What a job serves this frame.
 struct ShadowRequest {
     const ShadowScene& scene;
-    std::uint32_t light = 0; ///< index into scene.lights
-    std::span<const CasterGroup> groups;        ///< of the light
-    std::span<const Plan* const> plans;         ///< the light's plans that name this job's technique
-    std::uint32_t receiver_end = 0;             ///< one past the highest receiver id
-    const scene::ShadowWish& wish;              ///< scene, light and overriding wishes
-    const std::function<const trace::TraceScene&()>& truth; ///< ray queries, built by the first call of a frame
+    std::uint32_t light = 0;             ///< index into scene.lights
+    std::span<const CasterGroup> groups; ///< of the light
+    std::span<const Plan* const> plans;  ///< the light's plans that name this job's technique
+    std::uint32_t receiver_end = 0;      ///< one past the highest receiver id
+    const scene::ShadowWish& wish;       ///< scene, light and overriding wishes
+    const std::function<const trace::TraceScene&()>&
+        truth; ///< ray queries, built by the first call of a frame
 };
 
 /// One technique at work for one light.
@@ -57,7 +58,10 @@ public:
     /// Errors: a shader that does not compile.
     virtual engine::Result<void> render(gpu::Frame& frame, gpu::ShaderLibrary& shaders) = 0;
     /// GPU, each frame: lowers the mask where its receivers are.
-    virtual void apply(gpu::Frame& frame, const scene::CameraView& camera, const render::VisibilityTarget& target) = 0;
+    virtual void apply(
+        gpu::Frame& frame,
+        const scene::CameraView& camera,
+        const render::VisibilityTarget& target) = 0;
     /// Device memory that the job holds, for stats.json.
     [[nodiscard]] virtual std::size_t gpu_bytes() const { return 0; }
 };
@@ -68,7 +72,8 @@ public:
     virtual ~ShadowTechnique() = default;
 
     [[nodiscard]] virtual const TechniqueTraits& traits() const = 0;
-    /// Pure: same pair, same answer; no OpenGL. Errors: why this pair is outside the technique's domain.
+    /// Pure: same pair, same answer; no OpenGL. Errors: why this pair is outside the technique's
+    /// domain.
     [[nodiscard]] virtual engine::Result<Prediction>
     predict(const PairView& pair, const CasterGroup& casters) const = 0;
     /// Null for a technique that does nothing.

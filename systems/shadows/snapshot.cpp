@@ -14,12 +14,14 @@ std::string name_of(const scene::World& world, ecs::Entity entity) {
 }
 
 bool alpha_masked(const scene::Assets& assets, const scene::Mesh& mesh) {
-    return std::any_of(mesh.submeshes.begin(), mesh.submeshes.end(), [&](const scene::Submesh& submesh) {
-        return assets.materials[submesh.material].alpha_masked;
-    });
+    return std::any_of(
+        mesh.submeshes.begin(), mesh.submeshes.end(), [&](const scene::Submesh& submesh) {
+            return assets.materials[submesh.material].alpha_masked;
+        });
 }
 
-CasterView make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& world_from_mesh) {
+CasterView
+make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& world_from_mesh) {
     const auto mesh_index = world.registry.get<scene::MeshInstance>(entity).mesh;
     const scene::Mesh& mesh = world.assets.meshes[mesh_index];
     CasterView caster;
@@ -37,19 +39,25 @@ CasterView make_caster(const scene::World& world, ecs::Entity entity, const glm:
 }
 
 /// A patch's plane in the world. Source: normals transform by the inverse transpose.
-void place_plane(ReceiverView& receiver, const scene::FlatPatch& patch, const glm::dmat4& world_from_mesh) {
+void place_plane(
+    ReceiverView& receiver, const scene::FlatPatch& patch, const glm::dmat4& world_from_mesh) {
     const glm::dmat3 linear(world_from_mesh);
     const glm::dvec3 turned = glm::transpose(glm::inverse(linear)) * glm::dvec3(patch.normal);
     const glm::dvec3 on_plane(glm::dvec3(patch.normal) * static_cast<double>(patch.offset));
     receiver.flat = true;
     receiver.normal = glm::normalize(turned);
-    receiver.offset = glm::dot(receiver.normal, glm::dvec3(world_from_mesh * glm::dvec4(on_plane, 1.0)));
+    receiver.offset =
+        glm::dot(receiver.normal, glm::dvec3(world_from_mesh * glm::dvec4(on_plane, 1.0)));
     receiver.residual = static_cast<double>(patch.residual) / glm::length(turned);
 }
 
 void add_receivers(
-    ShadowScene& scene, const scene::World& world, const scene::ReceiverRange& range, const glm::dmat4& world_from_mesh) {
-    const scene::Mesh& mesh = world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
+    ShadowScene& scene,
+    const scene::World& world,
+    const scene::ReceiverRange& range,
+    const glm::dmat4& world_from_mesh) {
+    const scene::Mesh& mesh =
+        world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
     const std::string name = name_of(world, range.entity);
     for (std::uint32_t part = 0; part < range.count; ++part) {
         ReceiverView receiver;
@@ -61,7 +69,8 @@ void add_receivers(
         } else {
             const scene::FlatPatch& patch = mesh.patches[part - 1];
             receiver.bounds = engine::transformed(world_from_mesh, patch.bounds);
-            if (glm::determinant(glm::dmat3(world_from_mesh)) != 0.0) place_plane(receiver, patch, world_from_mesh);
+            if (glm::determinant(glm::dmat3(world_from_mesh)) != 0.0)
+                place_plane(receiver, patch, world_from_mesh);
         }
         scene.receivers.push_back(std::move(receiver));
     }
@@ -85,7 +94,8 @@ ShadowScene take_snapshot(
     scene.camera = camera;
     scene.lights.assign(lights.begin(), lights.end());
     for (const scene::ReceiverRange& range : receivers.ranges()) {
-        const glm::dmat4& placed = world.registry.get<scene::WorldTransform>(range.entity).world_from_local;
+        const glm::dmat4& placed =
+            world.registry.get<scene::WorldTransform>(range.entity).world_from_local;
         const auto& role = world.registry.get<scene::ShadowRole>(range.entity);
         if (role.casts) scene.casters.push_back(make_caster(world, range.entity, placed));
         if (role.receives) add_receivers(scene, world, range, placed);

@@ -1,4 +1,5 @@
-// Copies from the world what shadow decisions need. The only place of the CPU half that reads the registry.
+// Copies from the world what shadow decisions need. The only place of the CPU half that reads the
+// registry.
 
 #pragma once
 
@@ -10,7 +11,8 @@
 
 namespace shadows {
 
-/// @param lights those of the frame, as the renderer lights with them; lights that are off are left out by the caller
+/// @param lights those of the frame, as the renderer lights with them; lights that are off are left
+/// out by the caller
 ShadowScene take_snapshot(
     const scene::World& world,
     const scene::ReceiverTable& receivers,

@@ -13,7 +13,9 @@ namespace test_support {
 /// A world to which meshes are added one by one, moved as a whole by `origin`.
 class WorldBuilder {
 public:
-    explicit WorldBuilder(const glm::dvec3& origin = {}) : origin_(origin) { world.assets.materials.emplace_back(); }
+    explicit WorldBuilder(const glm::dvec3& origin = {}) : origin_(origin) {
+        world.assets.materials.emplace_back();
+    }
 
     /// A new mesh, and one entity that shows it.
     ecs::Entity add(const std::string& name, scene::Mesh mesh, const scene::Transform& at = {}) {
@@ -54,7 +56,8 @@ inline scene::PlacedLight sun_light(float illuminance = 3.0F) {
     return light;
 }
 
-inline scene::PlacedLight lamp_light(const std::string& name, const glm::dvec3& position, float intensity, float range) {
+inline scene::PlacedLight
+lamp_light(const std::string& name, const glm::dvec3& position, float intensity, float range) {
     scene::PlacedLight light;
     light.name = name;
     light.light.kind = scene::LightKind::point;

@@ -2,10 +2,10 @@
 
 #pragma once
 
-#include "tools/gnomon/exit_codes.hpp"
-
 #include <functional>
 #include <vector>
+
+#include "tools/gnomon/exit_codes.hpp"
 
 namespace CLI {
 class App;

@@ -12,7 +12,8 @@ std::uint32_t surface_number(std::uint32_t entity) {
     return entity == ecs::kNoEntity.value ? 0 : entity + 1;
 }
 
-measure::PixelEvidence evidence_at(std::size_t pixel, const truth::TruthImage& truth, const DrawnSurfaces& drawn) {
+measure::PixelEvidence
+evidence_at(std::size_t pixel, const truth::TruthImage& truth, const DrawnSurfaces& drawn) {
     measure::PixelEvidence evidence;
     evidence.measured_entity = surface_number(drawn.entity[pixel]);
     evidence.truth_entity = surface_number(truth.image.entity[pixel]);
@@ -44,19 +45,25 @@ DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera) {
 std::vector<float> display_luminance(const engine::Image& color) {
     std::vector<float> luminance(color.pixel_count());
     for (std::size_t i = 0; i < luminance.size(); ++i) {
-        const std::uint8_t* pixel = color.bytes.data() + i * static_cast<std::size_t>(color.channels);
-        luminance[i] = (0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1]) +
-                        0.0722F * static_cast<float>(pixel[2])) /
-                       255.0F;
+        const std::uint8_t* pixel =
+            color.bytes.data() + i * static_cast<std::size_t>(color.channels);
+        luminance[i] =
+            (0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1])
+             + 0.0722F * static_cast<float>(pixel[2]))
+            / 255.0F;
     }
     return luminance;
 }
 
 measure::Comparison make_comparison(
-    const engine::Image& mask, const truth::TruthImage& truth, const DrawnSurfaces& drawn, bool soft) {
+    const engine::Image& mask,
+    const truth::TruthImage& truth,
+    const DrawnSurfaces& drawn,
+    bool soft) {
     measure::Mask true_mask(truth.image.width, truth.image.height);
     true_mask.visibility = truth.image.visibility;
-    measure::Comparison comparison = measure::comparison(measure::mask_from_image(mask), std::move(true_mask), soft);
+    measure::Comparison comparison =
+        measure::comparison(measure::mask_from_image(mask), std::move(true_mask), soft);
     for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel)
         comparison.kind[pixel] = measure::classify(evidence_at(pixel, truth, drawn));
     return comparison;
@@ -69,7 +76,8 @@ engine::Image error_image(const measure::Comparison& comparison) {
         const float truth = comparison.truth.visibility[pixel];
         glm::vec3 color = glm::vec3(0.25F + 0.5F * truth) * glm::vec3(0.85F, 1.0F, 0.85F);
         const float error = std::abs(measured - truth);
-        const glm::vec3 wrong = measured < truth ? glm::vec3(1.0F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 1.0F);
+        const glm::vec3 wrong =
+            measured < truth ? glm::vec3(1.0F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 1.0F);
         color = glm::mix(color, wrong, error);
         if (comparison.kind[pixel] != measure::PixelKind::valid) color = glm::vec3(0.35F);
         for (int channel = 0; channel < 3; ++channel)

@@ -2,12 +2,12 @@
 
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "tools/gnomon/studio.hpp"
 #include "tools/measure/mask.hpp"
 #include "tools/truth/truth.hpp"
-
-#include <cstdint>
-#include <vector>
 
 namespace gnomon {
 
@@ -25,10 +25,13 @@ std::vector<float> display_luminance(const engine::Image& color);
 
 /// Every pixel classified. Luminances are left empty.
 measure::Comparison make_comparison(
-    const engine::Image& mask, const truth::TruthImage& truth, const DrawnSurfaces& drawn, bool soft);
+    const engine::Image& mask,
+    const truth::TruthImage& truth,
+    const DrawnSurfaces& drawn,
+    bool soft);
 
-/// Green where both agree, red where it is dark but should be lit, blue where it is lit but should be dark; pixels that no
-/// figure uses are grey.
+/// Green where both agree, red where it is dark but should be lit, blue where it is lit but should
+/// be dark; pixels that no figure uses are grey.
 engine::Image error_image(const measure::Comparison& comparison);
 
 } // namespace gnomon

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "engine/core/result.hpp"
-#include "tools/gnomon/exit_codes.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+
+#include "tools/gnomon/exit_codes.hpp"
 
 namespace gnomon {
 

@@ -30,7 +30,8 @@ double median(std::vector<double> values) {
 using Draw = std::function<engine::Result<void>(bool)>;
 
 /// One round of one kind: `warmup` frames that do not count, then `count` that do.
-engine::Result<void> time_round(const Draw& draw, bool with, int warmup, int count, std::vector<double>& frame_ms) {
+engine::Result<void>
+time_round(const Draw& draw, bool with, int warmup, int count, std::vector<double>& frame_ms) {
     for (int i = 0; i < warmup; ++i)
         if (auto drawn = draw(with); !drawn) return drawn;
     for (int i = 0; i < count; ++i) {
@@ -67,20 +68,28 @@ FrameStatistics statistics(std::vector<double> frame_ms) {
     CHECK(!frame_ms.empty());
     std::sort(frame_ms.begin(), frame_ms.end());
     const auto last = static_cast<double>(frame_ms.size() - 1);
-    return {median(frame_ms), frame_ms.front(), frame_ms[static_cast<std::size_t>(std::ceil(last * 0.99))]};
+    return {
+        median(frame_ms),
+        frame_ms.front(),
+        frame_ms[static_cast<std::size_t>(std::ceil(last * 0.99))]};
 }
 
-engine::Result<FrameTimes>
-time_frames(Studio& studio, const TimingOptions& options, const std::function<engine::Result<void>(bool)>& draw) {
+engine::Result<FrameTimes> time_frames(
+    Studio& studio,
+    const TimingOptions& options,
+    const std::function<engine::Result<void>(bool)>& draw) {
     std::vector<double> with;
     std::vector<double> without;
     const int per_round = (options.frames + kRounds - 1) / kRounds;
     const auto start = Clock::now();
     for (int round = 0; round < kRounds; ++round) {
         const int count = std::min(per_round, options.frames - static_cast<int>(with.size()));
-        if (count <= 0 || (round > 0 && milliseconds_since(start) > options.seconds * 1000.0)) break;
-        if (auto timed = time_round(draw, false, options.warmup, count, without); !timed) return timed.error();
-        if (auto timed = time_round(draw, true, options.warmup, count, with); !timed) return timed.error();
+        if (count <= 0 || (round > 0 && milliseconds_since(start) > options.seconds * 1000.0))
+            break;
+        if (auto timed = time_round(draw, false, options.warmup, count, without); !timed)
+            return timed.error();
+        if (auto timed = time_round(draw, true, options.warmup, count, with); !timed)
+            return timed.error();
     }
     FrameTimes times;
     times.frames = static_cast<int>(with.size());

@@ -57,13 +57,17 @@ engine::Result<Level> load_level(const std::filesystem::path& file) {
     return level;
 }
 
-engine::Result<scene::CameraView> choose_camera(const Level& level, const std::string& name, int width, int height) {
+engine::Result<scene::CameraView>
+choose_camera(const Level& level, const std::string& name, int width, int height) {
     if (auto found = scene::find_camera(level.world, name, width, height)) return *found;
     if (name.empty()) return scene::frame_scene(level.world, width, height);
     const auto names = scene::camera_names(level.world);
     const std::vector<std::string_view> views(names.begin(), names.end());
     return engine::Error{fmt::format(
-        "no camera '{}'; expected one of: {}{}", name, fmt::join(names, ", "), engine::did_you_mean(name, views))};
+        "no camera '{}'; expected one of: {}{}",
+        name,
+        fmt::join(names, ", "),
+        engine::did_you_mean(name, views))};
 }
 
 void print_warnings(const Level& level) {

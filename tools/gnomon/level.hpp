@@ -29,7 +29,8 @@ engine::Result<Level> load_level(const std::filesystem::path& file);
 
 /// The camera of that name; with an empty name the file's first, else one that frames the scene.
 /// Errors: no camera of that name, with the nearest one.
-engine::Result<scene::CameraView> choose_camera(const Level& level, const std::string& name, int width, int height);
+engine::Result<scene::CameraView>
+choose_camera(const Level& level, const std::string& name, int width, int height);
 
 /// Prints warnings on standard error.
 void print_warnings(const Level& level);

@@ -1,7 +1,6 @@
 // gnomon: one command line for everything. Unknown words are refused with the nearest known one.
 
 #include "engine/core/text.hpp"
-#include "tools/gnomon/commands.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/gnomon/commands.hpp"
 
 namespace {
 
@@ -25,7 +26,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
     return engine::did_you_mean(word, views);
 }
 
-/// The first word that is no option of the command it is given to, as a sentence; empty when all are known.
+/// The first word that is no option of the command it is given to, as a sentence; empty when all
+/// are known.
 std::string unknown_word(const CLI::App& app, const std::vector<std::string>& words) {
     if (words.empty()) return {};
     std::vector<std::string> commands;
@@ -37,14 +39,18 @@ std::string unknown_word(const CLI::App& app, const std::vector<std::string>& wo
     if (command == nullptr)
         return words.front().starts_with("-")
                    ? std::string()
-                   : fmt::format("unknown command '{}'{}", words.front(), nearest(words.front(), commands));
+                   : fmt::format(
+                       "unknown command '{}'{}", words.front(), nearest(words.front(), commands));
     const auto names = option_names(*command);
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string name = words[i].substr(0, words[i].find('='));
         if (!name.starts_with("--") || name == "--") continue;
         if (command->get_option_no_throw(name) == nullptr)
             return fmt::format(
-                "unknown option '{}' of gnomon {}{}", name, command->get_name(), nearest(name, names));
+                "unknown option '{}' of gnomon {}{}",
+                name,
+                command->get_name(),
+                nearest(name, names));
     }
     return {};
 }
@@ -56,7 +62,10 @@ int main(int argc, char** argv) {
     app.name("gnomon");
     app.require_subcommand(1);
     const std::vector<gnomon::Run> runs = {
-        gnomon::add_render(app), gnomon::add_measure(app), gnomon::add_check(app), gnomon::add_play(app)};
+        gnomon::add_render(app),
+        gnomon::add_measure(app),
+        gnomon::add_check(app),
+        gnomon::add_play(app)};
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (const std::string problem = unknown_word(app, words); !problem.empty()) {
         fmt::print(stderr, "gnomon: {}\n", problem);

@@ -1,15 +1,16 @@
-// gnomon measure: how wrong each technique's shadows are, held against ray-traced truth, standing still and walking.
-
-#include "tools/gnomon/commands.hpp"
-#include "tools/gnomon/failure.hpp"
-#include "tools/gnomon/measuring.hpp"
-#include "tools/gnomon/text_files.hpp"
+// gnomon measure: how wrong each technique's shadows are, held against ray-traced truth, standing
+// still and walking.
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+
+#include "tools/gnomon/commands.hpp"
+#include "tools/gnomon/failure.hpp"
+#include "tools/gnomon/measuring.hpp"
+#include "tools/gnomon/text_files.hpp"
 
 namespace gnomon {
 
@@ -22,7 +23,8 @@ struct Command {
     ViewOptions view;
 };
 
-engine::Result<void> write_reports(const std::filesystem::path& folder, const measure::Report& report) {
+engine::Result<void>
+write_reports(const std::filesystem::path& folder, const measure::Report& report) {
     if (auto written = write_text(folder / "measure.csv", report.csv()); !written) return written;
     return write_text(folder / "measure.json", report.json().dump(1) + "\n");
 }
@@ -49,7 +51,8 @@ int measure_scenes(const Command& command) {
             return fail(measured.error(), kCannotDo);
     }
     fmt::print("{}", report.table());
-    if (auto written = write_reports(command.out, report); !written) return fail(written.error(), kCannotDo);
+    if (auto written = write_reports(command.out, report); !written)
+        return fail(written.error(), kCannotDo);
     fmt::print("\n{} and measure.json hold every figure\n", (command.out / "measure.csv").string());
     return kFine;
 }
@@ -58,21 +61,35 @@ int measure_scenes(const Command& command) {
 
 Run add_measure(CLI::App& app) {
     auto options = std::make_shared<Command>();
-    CLI::App* command = app.add_subcommand("measure", "holds shadows against ray-traced truth: table, CSV, JSON");
+    CLI::App* command =
+        app.add_subcommand("measure", "holds shadows against ray-traced truth: table, CSV, JSON");
     command->add_option("scene", options->scenes, "SCENE.lua, .glb or .gltf")->required();
-    command->add_option("--out", options->out, "folder for tables and pictures")->capture_default_str();
+    command->add_option("--out", options->out, "folder for tables and pictures")
+        ->capture_default_str();
     add_view_options(*command, options->view);
-    command->add_option("--technique", options->measure.techniques, "auto, map, or names of techniques; several with commas")
+    command
+        ->add_option(
+            "--technique",
+            options->measure.techniques,
+            "auto, map, or names of techniques; several with commas")
         ->delimiter(',');
     command->add_option("--protocol", options->measure.protocol, "still, walk, or both")
         ->check(CLI::IsMember({"still", "walk", "both"}))
         ->capture_default_str();
-    command->add_option("--walk-frames", options->measure.walk_frames, "frames of the walk, 1/60 s each")
+    command
+        ->add_option(
+            "--walk-frames", options->measure.walk_frames, "frames of the walk, 1/60 s each")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    command->add_option("--frames", options->measure.timing.frames, "frames to time, with and without shadows")
+    command
+        ->add_option(
+            "--frames", options->measure.timing.frames, "frames to time, with and without shadows")
         ->check(CLI::Range(0, 100000));
-    command->add_option("--samples", options->measure.truth_samples, "light samples of the truth of area lights")
+    command
+        ->add_option(
+            "--samples",
+            options->measure.truth_samples,
+            "light samples of the truth of area lights")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
     return [options] { return measure_scenes(*options); };

@@ -2,19 +2,20 @@
 
 #include "engine/core/image.hpp"
 #include "engine/scene/views.hpp"
-#include "tools/gnomon/comparing.hpp"
-#include "tools/gnomon/text_files.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
 
+#include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/text_files.hpp"
+
 namespace gnomon {
 
 namespace {
 
-constexpr double kWalkSpeed = 1.4;        // m/s
+constexpr double kWalkSpeed = 1.4; // m/s
 constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr int kStillFrames = 16;
 constexpr std::size_t kTrackedPoints = 20000;
@@ -40,10 +41,16 @@ void progress(const std::string& text) {
 class Measurement {
 public:
     Measurement(Studio& studio, Level& level, const MeasureOptions& options)
-        : studio_(studio), level_(level), options_(options), tracer_(level.world) {}
+        : studio_(studio),
+          level_(level),
+          options_(options),
+          tracer_(level.world) {}
 
     /// A row for a light and a technique, with everything but figures.
-    measure::Row row(const scene::CameraView& camera, const scene::PlacedLight& light, const std::string& technique) {
+    measure::Row
+    row(const scene::CameraView& camera,
+        const scene::PlacedLight& light,
+        const std::string& technique) {
         measure::Row row;
         row.scene = level_.name;
         row.camera = camera.name;
@@ -53,7 +60,8 @@ public:
         return row;
     }
 
-    truth::TruthImage truth(const scene::CameraView& camera, const scene::PlacedLight& light) const {
+    truth::TruthImage
+    truth(const scene::CameraView& camera, const scene::PlacedLight& light) const {
         truth::TruthOptions options;
         options.visibility.samples = options_.truth_samples;
         return truth::true_visibility(tracer_, camera, light, options);
@@ -68,7 +76,8 @@ public:
         if (auto missing = missing_technique(asked, lights, studio_.shadows().techniques()))
             return engine::Error{*missing};
         if (auto drawn = studio_.draw(level_, camera); !drawn) return drawn;
-        if (const auto unserved = studio_.shadows().unserved(); !unserved.empty()) return engine::Error{unserved.front()};
+        if (const auto unserved = studio_.shadows().unserved(); !unserved.empty())
+            return engine::Error{unserved.front()};
         return {};
     }
 
@@ -80,16 +89,22 @@ public:
         return make_comparison(*mask, truth, drawn, soft(studio_.lights()[light].light));
     }
 
-    engine::Result<measure::Row>
-    still(const scene::CameraView& camera, std::size_t light, const std::string& technique, const truth::TruthImage& truth);
+    engine::Result<measure::Row> still(
+        const scene::CameraView& camera,
+        std::size_t light,
+        const std::string& technique,
+        const truth::TruthImage& truth);
 
-    engine::Result<std::vector<measure::Row>> walk(const scene::CameraView& start, std::size_t light);
+    engine::Result<std::vector<measure::Row>>
+    walk(const scene::CameraView& start, std::size_t light);
 
 private:
     engine::Result<measure::Figure> changed(const scene::CameraView& camera, std::size_t light);
-    engine::Result<void> add_luminance(const scene::CameraView& camera, measure::Comparison& comparison);
+    engine::Result<void>
+    add_luminance(const scene::CameraView& camera, measure::Comparison& comparison);
     engine::Result<void> add_times(const scene::CameraView& camera, measure::Row& row);
-    engine::Result<void> write_pictures(const measure::Row& row, const measure::Comparison& comparison) const;
+    engine::Result<void>
+    write_pictures(const measure::Row& row, const measure::Comparison& comparison) const;
 
     Studio& studio_;
     Level& level_;
@@ -98,7 +113,8 @@ private:
 };
 
 /// The same frame again and again: nothing may change.
-engine::Result<measure::Figure> Measurement::changed(const scene::CameraView& camera, std::size_t light) {
+engine::Result<measure::Figure>
+Measurement::changed(const scene::CameraView& camera, std::size_t light) {
     std::vector<measure::Mask> frames;
     for (int frame = 0; frame < kStillFrames; ++frame) {
         if (auto drawn = studio_.draw(level_, camera); !drawn) return drawn.error();
@@ -110,7 +126,8 @@ engine::Result<measure::Figure> Measurement::changed(const scene::CameraView& ca
 }
 
 /// The lit pictures of the technique and of the same renderer with the true masks.
-engine::Result<void> Measurement::add_luminance(const scene::CameraView& camera, measure::Comparison& comparison) {
+engine::Result<void>
+Measurement::add_luminance(const scene::CameraView& camera, measure::Comparison& comparison) {
     comparison.luminance = display_luminance(studio_.color());
     const auto overriding = level_.shadows.overriding;
     if (auto drawn = draw(camera, "traced"); !drawn) return drawn;
@@ -130,21 +147,25 @@ engine::Result<void> Measurement::add_times(const scene::CameraView& camera, mea
         .taps = static_cast<double>(counters.taps),
         .gpu_bytes = static_cast<double>(gpu::device_bytes())};
     if (options_.timing.frames == 0) return {};
-    const auto times =
-        time_frames(studio_, options_.timing, [&](bool with) { return studio_.draw(level_, camera, with); });
+    const auto times = time_frames(
+        studio_, options_.timing, [&](bool with) { return studio_.draw(level_, camera, with); });
     if (!times) return times.error();
     row.timing = {times->with.median_ms, times->with.p99_ms, times->without.median_ms};
     return {};
 }
 
-engine::Result<void> Measurement::write_pictures(const measure::Row& row, const measure::Comparison& comparison) const {
-    const std::string stem =
-        fmt::format("{}_{}_{}", file_word(row.scene), file_word(row.light), file_word(row.technique));
+engine::Result<void>
+Measurement::write_pictures(const measure::Row& row, const measure::Comparison& comparison) const {
+    const std::string stem = fmt::format(
+        "{}_{}_{}", file_word(row.scene), file_word(row.light), file_word(row.technique));
     return engine::write_png(options_.pictures / (stem + "_error.png"), error_image(comparison));
 }
 
 engine::Result<measure::Row> Measurement::still(
-    const scene::CameraView& camera, std::size_t light, const std::string& technique, const truth::TruthImage& truth) {
+    const scene::CameraView& camera,
+    std::size_t light,
+    const std::string& technique,
+    const truth::TruthImage& truth) {
     measure::Row row = this->row(camera, studio_.lights()[light], technique);
     if (auto drawn = draw(camera, technique); !drawn) {
         row.note = drawn.error().message;
@@ -166,12 +187,14 @@ engine::Result<measure::Row> Measurement::still(
 }
 
 /// Where the true surfaces of a frame are, for choosing points to follow.
-std::vector<glm::dvec3> surface_points(const scene::CameraView& camera, const trace::VisibilityImage& image) {
+std::vector<glm::dvec3>
+surface_points(const scene::CameraView& camera, const trace::VisibilityImage& image) {
     std::vector<glm::dvec3> points;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const auto depth = static_cast<double>(image.depth[image.index(x, y)]);
-            if (std::isfinite(depth)) points.push_back(camera.position + camera.ray_direction(x + 0.5, y + 0.5) * depth);
+            if (std::isfinite(depth))
+                points.push_back(camera.position + camera.ray_direction(x + 0.5, y + 0.5) * depth);
         }
     return points;
 }
@@ -179,16 +202,21 @@ std::vector<glm::dvec3> surface_points(const scene::CameraView& camera, const tr
 scene::CameraView walked(scene::CameraView camera, int frame) {
     glm::dvec3 forward = -glm::dvec3(camera.world_from_view[2]);
     forward.y = 0.0;
-    if (glm::length(forward) < 1e-6) forward = glm::dvec3(camera.world_from_view[1]); // looks straight down or up
+    if (glm::length(forward) < 1e-6)
+        forward = glm::dvec3(camera.world_from_view[1]); // looks straight down or up
     camera.position += glm::normalize(forward) * (kWalkSpeed * kFrameSeconds * frame);
     return camera;
 }
 
-engine::Result<std::vector<measure::Row>> Measurement::walk(const scene::CameraView& start, std::size_t light) {
+engine::Result<std::vector<measure::Row>>
+Measurement::walk(const scene::CameraView& start, std::size_t light) {
     const scene::PlacedLight placed = studio_.lights()[light];
     const scene::CameraView end = walked(start, options_.walk_frames - 1);
     const auto points = measure::choose_points(
-        surface_points(start, truth(start, placed).image), surface_points(end, truth(end, placed).image), kTrackedPoints, 1);
+        surface_points(start, truth(start, placed).image),
+        surface_points(end, truth(end, placed).image),
+        kTrackedPoints,
+        1);
     std::vector<measure::Row> rows;
     std::vector<measure::MotionRecorder> recorders;
     for (const std::string& technique : options_.techniques) {
@@ -197,7 +225,12 @@ engine::Result<std::vector<measure::Row>> Measurement::walk(const scene::CameraV
         recorders.emplace_back(points);
     }
     for (int frame = 0; frame < options_.walk_frames; ++frame) {
-        progress(fmt::format("{}: light '{}': walk {}/{}", level_.name, placed.name, frame + 1, options_.walk_frames));
+        progress(fmt::format(
+            "{}: light '{}': walk {}/{}",
+            level_.name,
+            placed.name,
+            frame + 1,
+            options_.walk_frames));
         const scene::CameraView camera = walked(start, frame);
         const truth::TruthImage true_image = truth(camera, placed);
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -209,7 +242,9 @@ engine::Result<std::vector<measure::Row>> Measurement::walk(const scene::CameraV
             auto comparison = compare(camera, light, true_image);
             if (!comparison) return comparison.error();
             recorders[i].add(
-                *std::move(comparison), true_image.image.depth, [&](const glm::dvec3& point) { return camera.project(point); });
+                *std::move(comparison), true_image.image.depth, [&](const glm::dvec3& point) {
+                    return camera.project(point);
+                });
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -220,7 +255,11 @@ engine::Result<std::vector<measure::Row>> Measurement::walk(const scene::CameraV
 } // namespace
 
 engine::Result<void> measure_level(
-    Studio& studio, Level& level, const scene::CameraView& camera, const MeasureOptions& options, measure::Report& report) {
+    Studio& studio,
+    Level& level,
+    const scene::CameraView& camera,
+    const MeasureOptions& options,
+    measure::Report& report) {
     Measurement measurement(studio, level, options);
     if (auto drawn = measurement.draw(camera, "none"); !drawn) return drawn;
     const std::size_t light_count = studio.lights().size();

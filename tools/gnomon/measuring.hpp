@@ -2,13 +2,13 @@
 
 #pragma once
 
-#include "tools/gnomon/frame_times.hpp"
-#include "tools/gnomon/view_options.hpp"
-#include "tools/measure/report.hpp"
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "tools/gnomon/frame_times.hpp"
+#include "tools/gnomon/view_options.hpp"
+#include "tools/measure/report.hpp"
 
 namespace gnomon {
 
@@ -23,9 +23,9 @@ struct MeasureOptions {
 
 /// Adds one row for every light and technique. Progress goes to standard error.
 /// Still: the camera where it is, and 16 frames in which nothing may change.
-/// Walk: the camera moves along its view at 1.4 m/s, 60 frames a second, while everything else stands still; truth is
-/// traced for every frame.
-/// Errors: a shader or a file that fails. A technique that cannot serve becomes a row with a note.
+/// Walk: the camera moves along its view at 1.4 m/s, 60 frames a second, while everything else
+/// stands still; truth is traced for every frame. Errors: a shader or a file that fails. A
+/// technique that cannot serve becomes a row with a note.
 engine::Result<void> measure_level(
     Studio& studio,
     Level& level,

@@ -2,11 +2,11 @@
 
 #pragma once
 
-#include "tools/gnomon/studio.hpp"
-#include "tools/gnomon/view_options.hpp"
-
 #include <filesystem>
 #include <string>
+
+#include "tools/gnomon/studio.hpp"
+#include "tools/gnomon/view_options.hpp"
 
 namespace gnomon {
 
@@ -21,9 +21,11 @@ struct PlayOptions {
 
 /// W A S D and the mouse (or a gamepad) move the camera, F12 takes a picture, Escape ends.
 /// Errors: no display, or no OpenGL on it.
-engine::Result<void> play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size);
+engine::Result<void>
+play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size);
 
-/// The camera goes through the level's cameras. Leaves stills, a film where ffmpeg is installed, and index.html.
+/// The camera goes through the level's cameras. Leaves stills, a film where ffmpeg is installed,
+/// and index.html.
 /// @return a sentence that says what lies where
 /// Errors: the folder cannot be written.
 engine::Result<std::string>

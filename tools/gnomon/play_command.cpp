@@ -1,8 +1,5 @@
-// gnomon play: a level in a window; with no display the same level walks by itself and leaves a film and pictures.
-
-#include "tools/gnomon/commands.hpp"
-#include "tools/gnomon/failure.hpp"
-#include "tools/gnomon/play.hpp"
+// gnomon play: a level in a window; with no display the same level walks by itself and leaves a
+// film and pictures.
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,13 +7,18 @@
 #include <cstdlib>
 #include <memory>
 
+#include "tools/gnomon/commands.hpp"
+#include "tools/gnomon/failure.hpp"
+#include "tools/gnomon/play.hpp"
+
 namespace gnomon {
 
 namespace {
 
 bool has_display() {
     const auto set = [](const char* name) {
-        const char* value = std::getenv(name); // NOLINT(concurrency-mt-unsafe): nothing else runs yet
+        const char* value =
+            std::getenv(name); // NOLINT(concurrency-mt-unsafe): nothing else runs yet
         return value != nullptr && *value != '\0';
     };
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
@@ -44,14 +46,18 @@ int play(const PlayOptions& options) {
 
 Run add_play(CLI::App& app) {
     auto options = std::make_shared<PlayOptions>();
-    CLI::App* command = app.add_subcommand("play", "plays a level in a window, or walks it when there is no display");
+    CLI::App* command = app.add_subcommand(
+        "play", "plays a level in a window, or walks it when there is no display");
     command->add_option("level", options->level, "LEVEL.lua, .glb or .gltf")->capture_default_str();
-    command->add_option("--out", options->out, "folder for the film and the pictures of a walk")->capture_default_str();
-    command->add_option("--size", options->view.size, "WIDTHxHEIGHT, pixels")->capture_default_str();
+    command->add_option("--out", options->out, "folder for the film and the pictures of a walk")
+        ->capture_default_str();
+    command->add_option("--size", options->view.size, "WIDTHxHEIGHT, pixels")
+        ->capture_default_str();
     command->add_option("--walk-seconds", options->walk_seconds, "length of the walk")
         ->check(CLI::Range(0.5, 600.0))
         ->capture_default_str();
-    command->add_option("--frames", options->window_frames, "close the window after this many frames")
+    command
+        ->add_option("--frames", options->window_frames, "close the window after this many frames")
         ->check(CLI::Range(0, 1000000));
     command->add_flag("--headless", options->headless, "walk even where there is a display");
     return [options] { return play(*options); };

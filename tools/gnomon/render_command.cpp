@@ -1,16 +1,17 @@
-// gnomon render: one scene, headless, into pictures, plans and times. The contract other tools rely on.
-
-#include "tools/gnomon/commands.hpp"
-#include "tools/gnomon/failure.hpp"
-#include "tools/gnomon/frame_times.hpp"
-#include "tools/gnomon/render_files.hpp"
-#include "tools/gnomon/view_options.hpp"
+// gnomon render: one scene, headless, into pictures, plans and times. The contract other tools rely
+// on.
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
+
+#include "tools/gnomon/commands.hpp"
+#include "tools/gnomon/failure.hpp"
+#include "tools/gnomon/frame_times.hpp"
+#include "tools/gnomon/render_files.hpp"
+#include "tools/gnomon/view_options.hpp"
 
 namespace gnomon {
 
@@ -40,12 +41,16 @@ void override_wishes(Level& level, const ShadowOptions& options) {
 class Take {
 public:
     Take(Studio& studio, Level& level, const RenderOptions& options, scene::CameraView camera)
-        : studio_(studio), level_(level), options_(options), camera_(std::move(camera)) {}
+        : studio_(studio),
+          level_(level),
+          options_(options),
+          camera_(std::move(camera)) {}
 
     engine::Result<void> draw(bool with_shadows) {
         if (options_.play) {
             scene::update(level_.world, kTimeStep);
-            auto camera = choose_camera(level_, options_.view.camera, camera_.width, camera_.height);
+            auto camera =
+                choose_camera(level_, options_.view.camera, camera_.width, camera_.height);
             if (!camera) return camera.error();
             camera_ = *camera;
         }
@@ -101,12 +106,14 @@ int render(const RenderOptions& options) {
 
 Run add_render(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "draws a scene headless: pictures, masks, plans and times");
+    CLI::App* command =
+        app.add_subcommand("render", "draws a scene headless: pictures, masks, plans and times");
     command->add_option("scene", options->scene, "SCENE.lua, .glb or .gltf")->required();
     command->add_option("--out", options->out, "folder for the files")->capture_default_str();
     add_view_options(*command, options->view);
     add_shadow_options(*command, options->shadow);
-    command->add_option("--frames", options->timing.frames, "frames to time, with and without shadows")
+    command
+        ->add_option("--frames", options->timing.frames, "frames to time, with and without shadows")
         ->check(CLI::Range(0, 100000));
     command->add_option("--warmup", options->timing.warmup, "frames before each timed round")
         ->check(CLI::Range(0, 1000))

@@ -2,12 +2,13 @@
 
 #include "engine/scene/views.hpp"
 #include "systems/shadows/plan_json.hpp"
-#include "tools/gnomon/text_files.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <set>
+
+#include "tools/gnomon/text_files.hpp"
 
 namespace gnomon {
 
@@ -46,7 +47,8 @@ Json to_json(const gpu::Counters& counters) {
         {"taps", counters.taps}};
 }
 
-std::string stats_json(Studio& studio, const std::optional<FrameTimes>& times, int width, int height) {
+std::string
+stats_json(Studio& studio, const std::optional<FrameTimes>& times, int width, int height) {
     const gpu::Frame& frame = studio.renderer().frame();
     Json json;
     json["renderer"] = studio.device().renderer;
@@ -69,7 +71,9 @@ std::string stats_json(Studio& studio, const std::optional<FrameTimes>& times, i
 /// Writes pictures, and prints their hashes when asked.
 class PictureWriter {
 public:
-    PictureWriter(std::filesystem::path folder, bool hash) : folder_(std::move(folder)), hash_(hash) {}
+    PictureWriter(std::filesystem::path folder, bool hash)
+        : folder_(std::move(folder)),
+          hash_(hash) {}
 
     engine::Result<void> write(const std::string& name, const engine::Image& image) const {
         if (hash_) fmt::print("hash {} {:016x}\n", name, hash_of(image));
@@ -97,12 +101,17 @@ engine::Result<void> write_masks(Studio& studio, const PictureWriter& writer) {
 
 } // namespace
 
-std::optional<std::string> unsupported(Studio& studio, const Level& level, const ShadowOptions& options) {
-    return missing_technique(options, scene::placed_lights(level.world), studio.shadows().techniques());
+std::optional<std::string>
+unsupported(Studio& studio, const Level& level, const ShadowOptions& options) {
+    return missing_technique(
+        options, scene::placed_lights(level.world), studio.shadows().techniques());
 }
 
 engine::Result<void> write_render_files(
-    Studio& studio, const std::filesystem::path& folder, const std::optional<FrameTimes>& times, bool hash) {
+    Studio& studio,
+    const std::filesystem::path& folder,
+    const std::optional<FrameTimes>& times,
+    bool hash) {
     if (auto made = make_folder(folder); !made) return made;
     const engine::Image color = studio.color();
     const PictureWriter writer(folder, hash);
@@ -110,7 +119,8 @@ engine::Result<void> write_render_files(
     const std::string stats = stats_json(studio, times, color.width, color.height);
     if (auto written = write_text(folder / "stats.json", stats); !written) return written;
     const auto& shadows = studio.shadows();
-    if (auto written = write_text(folder / "plans.json", shadows::plans_to_json(shadows.scene(), shadows.plan()));
+    if (auto written = write_text(
+            folder / "plans.json", shadows::plans_to_json(shadows.scene(), shadows.plan()));
         !written)
         return written;
     if (auto written = writer.write("color.png", color); !written) return written;

@@ -3,8 +3,6 @@
 #include "engine/gpu/readback.hpp"
 #include "engine/scene/views.hpp"
 
-#include <epoxy/gl.h>
-
 #include <limits>
 
 namespace gnomon {
@@ -17,7 +15,8 @@ constexpr std::uint32_t kReceiverMask = scene::kMaxReceivers - 1;
 } // namespace
 
 Studio::Studio(std::unique_ptr<gpu::Context> context)
-    : context_(std::move(context)), renderer_(shadows::shader_folders()) {}
+    : context_(std::move(context)),
+      renderer_(shadows::shader_folders()) {}
 
 engine::Result<std::unique_ptr<Studio>> Studio::open(int width, int height) {
     auto context = gpu::make_headless_context();
@@ -31,12 +30,18 @@ engine::Result<std::unique_ptr<Studio>> Studio::open(int width, int height) {
     return studio;
 }
 
-engine::Result<void> Studio::draw(const Level& level, const scene::CameraView& camera, bool with_shadows) {
+engine::Result<void>
+Studio::draw(const Level& level, const scene::CameraView& camera, bool with_shadows) {
     lights_ = scene::placed_lights(level.world);
     shadows_.settings = level.shadows;
     const auto drawn = renderer_.draw(
-        level.world, camera, lights_, with_shadows ? &shadows_ : nullptr, target_, {.exposure = level.exposure});
-    glFinish();
+        level.world,
+        camera,
+        lights_,
+        with_shadows ? &shadows_ : nullptr,
+        target_,
+        {.exposure = level.exposure});
+    context_->finish();
     return drawn;
 }
 

@@ -5,10 +5,11 @@
 #include "engine/gpu/context.hpp"
 #include "engine/render/renderer.hpp"
 #include "systems/shadows/shadow_system.hpp"
-#include "tools/gnomon/level.hpp"
 
 #include <memory>
 #include <vector>
+
+#include "tools/gnomon/level.hpp"
 
 namespace gnomon {
 
@@ -19,7 +20,8 @@ public:
 
     /// Draws one frame and waits until the device has finished it.
     /// @param with_shadows false: as if there were no shadow system at all
-    engine::Result<void> draw(const Level& level, const scene::CameraView& camera, bool with_shadows = true);
+    engine::Result<void>
+    draw(const Level& level, const scene::CameraView& camera, bool with_shadows = true);
 
     /// What the last draw left.
     [[nodiscard]] engine::Image color() const;
@@ -28,7 +30,9 @@ public:
     /// View depth in metres, infinite where nothing is.
     [[nodiscard]] std::vector<float> view_depth(const scene::CameraView& camera) const;
     /// Visibility of a light, 8-bit grey. @param light index into lights()
-    engine::Result<engine::Image> mask(std::size_t light) { return renderer_.draw_mask(light, shadows_); }
+    engine::Result<engine::Image> mask(std::size_t light) {
+        return renderer_.draw_mask(light, shadows_);
+    }
 
     /// Lights of the last frame, sorted by name.
     [[nodiscard]] const std::vector<scene::PlacedLight>& lights() const { return lights_; }

@@ -10,7 +10,9 @@ namespace gnomon {
 engine::Result<void> make_folder(const std::filesystem::path& folder) {
     std::error_code problem;
     std::filesystem::create_directories(folder, problem);
-    if (problem) return engine::Error{fmt::format("could not be made: {}", problem.message()), {folder.string()}};
+    if (problem)
+        return engine::Error{
+            fmt::format("could not be made: {}", problem.message()), {folder.string()}};
     return {};
 }
 
@@ -18,14 +20,16 @@ engine::Result<void> write_text(const std::filesystem::path& file, const std::st
     std::ofstream stream(file, std::ios::binary);
     stream << text;
     stream.close();
-    if (!stream) return engine::Error{"could not be written; expected a folder with room", {file.string()}};
+    if (!stream)
+        return engine::Error{"could not be written; expected a folder with room", {file.string()}};
     return {};
 }
 
 std::string file_word(const std::string& name) {
     std::string word = name;
     for (char& letter : word)
-        if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '-' && letter != '.') letter = '_';
+        if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '-' && letter != '.')
+            letter = '_';
     return word;
 }
 

@@ -16,9 +16,12 @@ namespace {
 /// A technique that `map` stands for.
 std::string map_technique(scene::LightKind kind) {
     switch (kind) {
-    case scene::LightKind::spot: return "spot_map";
-    case scene::LightKind::point: return "cube_map";
-    case scene::LightKind::directional: break;
+    case scene::LightKind::spot:
+        return "spot_map";
+    case scene::LightKind::point:
+        return "cube_map";
+    case scene::LightKind::directional:
+        break;
     }
     return "cascaded_map";
 }
@@ -26,7 +29,8 @@ std::string map_technique(scene::LightKind kind) {
 std::optional<int> whole_number(std::string_view text) {
     int value = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return problem == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+    return problem == std::errc() && end == text.data() + text.size() ? std::optional(value)
+                                                                      : std::nullopt;
 }
 
 } // namespace
@@ -35,16 +39,21 @@ engine::Result<glm::ivec2> ViewOptions::size_px() const {
     constexpr int kMaxSide = 16384;
     const std::size_t cross = std::min(size.find('x'), size.size());
     const int width = whole_number(std::string_view(size).substr(0, cross)).value_or(0);
-    const int height = cross == size.size() ? 0 : whole_number(std::string_view(size).substr(cross + 1)).value_or(0);
+    const int height = cross == size.size()
+                           ? 0
+                           : whole_number(std::string_view(size).substr(cross + 1)).value_or(0);
     if (std::min(width, height) < 1 || std::max(width, height) > kMaxSide)
-        return engine::Error{fmt::format("--size {}: expected WIDTHxHEIGHT, each from 1 to {}", size, kMaxSide)};
+        return engine::Error{
+            fmt::format("--size {}: expected WIDTHxHEIGHT, each from 1 to {}", size, kMaxSide)};
     return glm::ivec2(width, height);
 }
 
 scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
     scene::ShadowWish wish;
-    if (technique == "map") wish.technique = map_technique(kind);
-    else if (technique != "auto") wish.technique = technique;
+    if (technique == "map")
+        wish.technique = map_technique(kind);
+    else if (technique != "auto")
+        wish.technique = technique;
     wish.map_size = map_size;
     wish.filter = filter;
     wish.samples = samples;
@@ -53,41 +62,61 @@ scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
 }
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
-    command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")->capture_default_str();
-    command.add_option("--camera", options.camera, "name of a camera; else the first, else one that frames the scene");
+    command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture, pixels")
+        ->capture_default_str();
+    command.add_option(
+        "--camera",
+        options.camera,
+        "name of a camera; else the first, else one that frames the scene");
 }
 
 void add_shadow_options(CLI::App& command, ShadowOptions& options) {
-    command.add_option("--technique", options.technique, "auto, map, or the name of a technique")->capture_default_str();
-    command.add_option("--map-size", options.map_size, "texels per side of shadow maps")->check(CLI::Range(16, 16384));
+    command.add_option("--technique", options.technique, "auto, map, or the name of a technique")
+        ->capture_default_str();
+    command.add_option("--map-size", options.map_size, "texels per side of shadow maps")
+        ->check(CLI::Range(16, 16384));
     command.add_option("--filter", options.filter, "how maps are read")
         ->check(CLI::IsMember({"nearest", "bilinear", "pcf", "pcss"}));
-    command.add_option("--samples", options.samples, "light samples of soft shadows")->check(CLI::Range(1, 4096));
-    command.add_option("--error-px", options.error_px, "accepted error, pixels of edge displacement")
+    command.add_option("--samples", options.samples, "light samples of soft shadows")
+        ->check(CLI::Range(1, 4096));
+    command
+        .add_option("--error-px", options.error_px, "accepted error, pixels of edge displacement")
         ->check(CLI::Range(0.0, 1000.0));
-    command.add_option("--shadow-ms", options.shadow_ms, "accepted predicted shadow work per frame")
+    command
+        .add_option("--shadow-ms", options.shadow_ms, "accepted predicted shadow work per frame")
         ->check(CLI::PositiveNumber);
-    command.add_option("--refresh", options.refresh, "always: redraw every job in every frame; auto: when needed")
+    command
+        .add_option(
+            "--refresh",
+            options.refresh,
+            "always: redraw every job in every frame; auto: when needed")
         ->check(CLI::IsMember({"always", "auto"}))
         ->capture_default_str();
 }
 
-engine::Result<void> check_technique(const std::string& word, const shadows::Techniques& techniques) {
+engine::Result<void>
+check_technique(const std::string& word, const shadows::Techniques& techniques) {
     auto words = shadows::technique_words(techniques);
     words.emplace_back("map");
     for (const std::string_view map : {"cascaded_map", "spot_map", "cube_map"})
         if (word == map) return {};
     if (std::find(words.begin(), words.end(), word) != words.end()) return {};
     return engine::Error{fmt::format(
-        "--technique {}: expected one of {}{}", word, fmt::join(words, ", "), engine::did_you_mean(word, words))};
+        "--technique {}: expected one of {}{}",
+        word,
+        fmt::join(words, ", "),
+        engine::did_you_mean(word, words))};
 }
 
 std::optional<std::string> missing_technique(
-    const ShadowOptions& options, std::span<const scene::PlacedLight> lights, const shadows::Techniques& techniques) {
+    const ShadowOptions& options,
+    std::span<const scene::PlacedLight> lights,
+    const shadows::Techniques& techniques) {
     for (const scene::PlacedLight& light : lights) {
         const auto wanted = options.wish(light.light.kind).technique;
         if (wanted && shadows::find_technique(techniques, *wanted) == nullptr)
-            return fmt::format("technique '{}' does not exist yet (light '{}')", *wanted, light.name);
+            return fmt::format(
+                "technique '{}' does not exist yet (light '{}')", *wanted, light.name);
     }
     return std::nullopt;
 }

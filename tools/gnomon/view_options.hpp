@@ -43,10 +43,13 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 void add_shadow_options(CLI::App& command, ShadowOptions& options);
 
 /// Errors: a technique that does not exist, with the nearest one.
-engine::Result<void> check_technique(const std::string& word, const shadows::Techniques& techniques);
+engine::Result<void>
+check_technique(const std::string& word, const shadows::Techniques& techniques);
 
 /// Why a technique cannot serve these lights at all in this build, or nothing.
 std::optional<std::string> missing_technique(
-    const ShadowOptions& options, std::span<const scene::PlacedLight> lights, const shadows::Techniques& techniques);
+    const ShadowOptions& options,
+    std::span<const scene::PlacedLight> lights,
+    const shadows::Techniques& techniques);
 
 } // namespace gnomon

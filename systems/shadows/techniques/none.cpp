@@ -1,5 +1,5 @@
-// No shadow at all: the right choice when its absence is under the budget anyway, because it would be too small on
-// screen. Its error is the whole shadow.
+// No shadow at all: the right choice when its absence is under the budget anyway, because it would
+// be too small on screen. Its error is the whole shadow.
 
 #include "systems/shadows/error_model.hpp"
 #include "systems/shadows/shadow_technique.hpp"
@@ -11,7 +11,8 @@ namespace {
 class None final : public ShadowTechnique {
 public:
     [[nodiscard]] const TechniqueTraits& traits() const override {
-        static constexpr TechniqueTraits kTraits{"none", "no shadow, when its error is under the budget anyway"};
+        static constexpr TechniqueTraits kTraits{
+            "none", "no shadow, when its error is under the budget anyway"};
         return kTraits;
     }
 

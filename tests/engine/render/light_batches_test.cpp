@@ -8,7 +8,8 @@
 namespace render {
 namespace {
 
-std::vector<scene::PlacedLight> lights(std::size_t count, scene::LightKind kind = scene::LightKind::point) {
+std::vector<scene::PlacedLight>
+lights(std::size_t count, scene::LightKind kind = scene::LightKind::point) {
     std::vector<scene::PlacedLight> all(count);
     for (scene::PlacedLight& light : all)
         light.light.kind = kind;
@@ -75,7 +76,8 @@ TEST(BatchLights, NoLightsAreStillOneBatch) {
 
 TEST(LightTiles, CoverEveryPixelOnceWithItsLights) {
     LightBatch batch;
-    batch.lights = {{0, {0, 0, 200, 150}, {}}, {1, {30, 40, 50, 60}, {}}, {2, {190, 140, 10, 10}, {}}};
+    batch.lights = {
+        {0, {0, 0, 200, 150}, {}}, {1, {30, 40, 50, 60}, {}}, {2, {190, 140, 10, 10}, {}}};
     std::vector<int> covered(200 * 150);
 
     for (const LightTile& tile : light_tiles(batch, 200, 150))
@@ -85,10 +87,12 @@ TEST(LightTiles, CoverEveryPixelOnceWithItsLights) {
                 const auto inside = [&](const gpu::Rect& area) {
                     const int px = static_cast<int>(x);
                     const int py = static_cast<int>(y);
-                    return px >= area.x && px < area.x + area.width && py >= area.y && py < area.y + area.height;
+                    return px >= area.x && px < area.x + area.width && py >= area.y
+                           && py < area.y + area.height;
                 };
                 for (std::size_t i = 0; i < batch.lights.size(); ++i)
-                    ASSERT_TRUE(!inside(batch.lights[i].area) || ((tile.bits >> i) & 1U) != 0) << x << ' ' << y;
+                    ASSERT_TRUE(!inside(batch.lights[i].area) || ((tile.bits >> i) & 1U) != 0)
+                        << x << ' ' << y;
             }
 
     for (const int times : covered)
@@ -115,7 +119,8 @@ TEST(ScreenRect, HoldsEveryPointThatALampReaches) {
     EXPECT_LT(rect.width, 400);
     for (int i = 0; i < 200; ++i) {
         const double a = i * 0.7;
-        const glm::dvec3 on_sphere(std::cos(a) * std::cos(i), std::sin(i), std::sin(a) * std::cos(i));
+        const glm::dvec3 on_sphere(
+            std::cos(a) * std::cos(i), std::sin(i), std::sin(a) * std::cos(i));
         const glm::dvec3 at = camera.project(light.position + 2.0 * on_sphere);
         EXPECT_GE(at.x, rect.x);
         EXPECT_LE(at.x, rect.x + rect.width);

@@ -1,7 +1,6 @@
-#include "engine/render/renderer.hpp"
-
 #include "engine/gpu/pass.hpp"
 #include "engine/gpu/readback.hpp"
+#include "engine/render/renderer.hpp"
 #include "tests/support/gl_fixture.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -27,7 +26,8 @@ protected:
     void SetUp() override {
         GlTest::SetUp();
         if (IsSkipped()) return;
-        color_ = gpu::Texture("picture", {.format = gpu::Format::rgba8, .width = kWidth, .height = kHeight});
+        color_ = gpu::Texture(
+            "picture", {.format = gpu::Format::rgba8, .width = kWidth, .height = kHeight});
         target_ = *gpu::Framebuffer::make("picture", {.colors = {{&color_}}});
         renderer_ = std::make_unique<Renderer>();
     }
@@ -39,8 +39,11 @@ protected:
     }
 
     engine::Image draw(
-        scene::World& world, const scene::CameraView& camera, const std::vector<scene::PlacedLight>& lights,
-        LightVisibility* visibility = nullptr, const FrameSettings& settings = {.exposure = 1.0F}) {
+        scene::World& world,
+        const scene::CameraView& camera,
+        const std::vector<scene::PlacedLight>& lights,
+        LightVisibility* visibility = nullptr,
+        const FrameSettings& settings = {.exposure = 1.0F}) {
         scene::update(world, 0.0F);
         const auto drawn = renderer_->draw(world, camera, lights, visibility, target_, settings);
         EXPECT_TRUE(drawn) << (drawn ? "" : engine::to_string(drawn.error()));
@@ -49,7 +52,8 @@ protected:
 
     /// Receiver id at the middle of the picture.
     std::uint32_t middle_id() {
-        return gpu::read_uint_pairs(renderer_->gbuffer().surface()).at(kWidth / 2, kHeight / 2).x & 0xFFFFFU;
+        return gpu::read_uint_pairs(renderer_->gbuffer().surface()).at(kWidth / 2, kHeight / 2).x
+               & 0xFFFFFU;
     }
 
     gpu::Texture color_;
@@ -97,7 +101,8 @@ TEST_F(RendererTest, ALevelFarFromTheOriginLooksTheSame) {
 
     const auto near_picture = draw(near_one.world, camera_at({0, 0.5, 0}), {sun_light()});
     renderer_ = std::make_unique<Renderer>(); // a renderer follows one world
-    const auto far_picture = draw(far_one.world, camera_at(far + glm::dvec3(0, 0.5, 0)), {sun_light()});
+    const auto far_picture =
+        draw(far_one.world, camera_at(far + glm::dvec3(0, 0.5, 0)), {sun_light()});
 
     EXPECT_LE(differing_bytes(near_picture, far_picture, 1), near_picture.bytes.size() / 2000);
 }
@@ -131,8 +136,10 @@ TEST_F(RendererTest, LampsAgreeWithTheirCpuTwin) {
 
         const glm::vec3 to_light(0.7F, 0.3F, 2.5F);
         const float cosine = glm::normalize(to_light).z;
-        const double light = static_cast<double>(
-            scene::illuminance_at(lamp, to_light) * cosine * std::numbers::inv_pi_v<float>) - 0.004;
+        const double light =
+            static_cast<double>(
+                scene::illuminance_at(lamp, to_light) * cosine * std::numbers::inv_pi_v<float>)
+            - 0.004;
         const double expected = light * (6.2 * light + 0.5) / (light * (6.2 * light + 1.7) + 0.06);
         EXPECT_NEAR(picture.at(kWidth / 2, kHeight / 2)[0], expected * 255.0, 2.0);
     }
@@ -146,7 +153,8 @@ TEST_F(RendererTest, MoreLightsThanABatchHoldsAddUp) {
         many.push_back(lamp_light(fmt::format("lamp {}", i), {0, 0, -7}, 0.1F, 50.0F));
 
     const auto in_batches = draw(builder.world, camera_at({}), many);
-    const auto at_once = draw(builder.world, camera_at({}), {lamp_light("lamp", {0, 0, -7}, 7.0F, 50.0F)});
+    const auto at_once =
+        draw(builder.world, camera_at({}), {lamp_light("lamp", {0, 0, -7}, 7.0F, 50.0F)});
 
     EXPECT_EQ(differing_bytes(in_batches, at_once, 2), 0U);
 }
@@ -184,7 +192,8 @@ TEST_F(RendererTest, HolesOfAnAlphaMaskShowWhatIsBehind) {
     leaf.texture = 0;
     leaf.alpha_masked = true;
     builder.world.assets.materials.push_back(leaf);
-    const ecs::Entity wall = builder.add("wall", scene::make_box({50.0F, 50.0F, 1.0F}), at({0, 0, -10}));
+    const ecs::Entity wall =
+        builder.add("wall", scene::make_box({50.0F, 50.0F, 1.0F}), at({0, 0, -10}));
     scene::Mesh card = scene::make_box({1.0F, 1.0F, 1.0F});
     card.submeshes[0].material = 1;
     builder.add("card", std::move(card), at({0, 0, -3}));
@@ -198,7 +207,8 @@ TEST_F(RendererTest, TenThousandObjectsAreAHandfulOfDraws) {
     WorldBuilder builder;
     builder.add("box 0", scene::make_box({0.1F, 0.1F, 0.1F}), at({0, 0, -30}));
     for (int i = 1; i < 10000; ++i)
-        builder.add_instance(fmt::format("box {}", i), 0, at({(i % 100) * 0.3 - 15.0, (i / 100) * 0.3 - 15.0, -40}));
+        builder.add_instance(
+            fmt::format("box {}", i), 0, at({(i % 100) * 0.3 - 15.0, (i / 100) * 0.3 - 15.0, -40}));
 
     draw(builder.world, camera_at({}), {sun_light()});
 
@@ -213,7 +223,8 @@ TEST_F(RendererTest, WhatIsOutOfViewIsNotDrawn) {
 
     draw(builder.world, camera_at({}), {sun_light()});
 
-    EXPECT_EQ(renderer_->frame().counters().triangles, 12U + 2U); // one box, and the lighting's rectangle
+    EXPECT_EQ(
+        renderer_->frame().counters().triangles, 12U + 2U); // one box, and the lighting's rectangle
 }
 
 /// Darkens the left half of the picture for one light.
@@ -223,7 +234,10 @@ public:
     [[nodiscard]] bool serves(std::size_t light) const override { return light == 0; }
     engine::Result<void> refresh(gpu::Frame&, gpu::ShaderLibrary&) override { return {}; }
     void apply(gpu::Frame& frame, std::size_t, const VisibilityTarget& target) override {
-        gpu::clear_target(frame, target.mask, {.color = glm::vec4(0.0F), .area = gpu::Rect{0, 0, kWidth / 2, kHeight}});
+        gpu::clear_target(
+            frame,
+            target.mask,
+            {.color = glm::vec4(0.0F), .area = gpu::Rect{0, 0, kWidth / 2, kHeight}});
     }
 };
 

@@ -1,6 +1,5 @@
-#include "systems/shadows/caster_groups.hpp"
-
 #include "engine/core/random.hpp"
+#include "systems/shadows/caster_groups.hpp"
 #include "tests/systems/shadows/scenes.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +16,10 @@ ShadowScene crowd(std::size_t count, std::size_t heroes) {
     scene.lights = {sun()};
     for (std::size_t i = 0; i < count; ++i)
         scene.casters.push_back(caster_at(
-            fmt::format("caster {:05}", i), {random.uniform(-50, 50), 1.0, random.uniform(-50, 50)}, 0.5, i < heroes));
+            fmt::format("caster {:05}", i),
+            {random.uniform(-50, 50), 1.0, random.uniform(-50, 50)},
+            0.5,
+            i < heroes));
     return scene;
 }
 

@@ -1,6 +1,5 @@
-#include "systems/shadows/pairs.hpp"
-
 #include "engine/core/random.hpp"
+#include "systems/shadows/pairs.hpp"
 #include "tests/systems/shadows/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -42,16 +41,21 @@ TEST(CanShadow, ALampShadowsOnlyItsOtherSide) {
 
 /// Whether some ray from a point of the light hits both boxes in order, by trying many.
 bool sampled_shadow(
-    const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver, engine::Random& random) {
+    const LightView& light,
+    const engine::WorldAabb& caster,
+    const engine::WorldAabb& receiver,
+    engine::Random& random) {
     const auto inside = [&](const engine::WorldAabb& box) {
         return glm::dvec3(
-            random.uniform(box.min.x, box.max.x), random.uniform(box.min.y, box.max.y),
+            random.uniform(box.min.x, box.max.x),
+            random.uniform(box.min.y, box.max.y),
             random.uniform(box.min.z, box.max.z));
     };
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 blocker = inside(caster);
-        const glm::dvec3 along = light.light.kind == scene::LightKind::directional ? glm::dvec3(light.direction)
-                                                                                   : blocker - light.position;
+        const glm::dvec3 along = light.light.kind == scene::LightKind::directional
+                                     ? glm::dvec3(light.direction)
+                                     : blocker - light.position;
         for (int k = 0; k < 60; ++k)
             if (receiver.contains(blocker + along * (k * 0.1))) return true;
     }
@@ -68,7 +72,9 @@ TEST(CanShadow, IsNeverFalseForAShadowThatExists) {
         const auto caster = box_at(place(), random.uniform(0.1, 1.0));
         const auto receiver = box_at(place(), random.uniform(0.1, 1.0));
         const LightView light = trial % 2 == 0 ? sun(glm::vec3(place())) : lamp(place());
-        EXPECT_TRUE(can_shadow(light, caster, receiver) || !sampled_shadow(light, caster, receiver, random));
+        EXPECT_TRUE(
+            can_shadow(light, caster, receiver)
+            || !sampled_shadow(light, caster, receiver, random));
     }
 }
 

@@ -1,5 +1,4 @@
 #include "systems/shadows/picker.hpp"
-
 #include "systems/shadows/plan_json.hpp"
 #include "tests/systems/shadows/scenes.hpp"
 
@@ -17,14 +16,17 @@ using testing::HasSubstr;
 class Fake final : public ShadowTechnique {
 public:
     Fake(std::string_view name, double error_px, double fragments, bool automatic = true)
-        : traits_{name, "fake", automatic}, error_px_(error_px), fragments_(fragments) {}
+        : traits_{name, "fake", automatic},
+          error_px_(error_px),
+          fragments_(fragments) {}
 
     static std::unique_ptr<ShadowTechnique> refusing(std::string_view name) {
         return std::make_unique<Fake>(name, -1.0, 0.0);
     }
 
     [[nodiscard]] const TechniqueTraits& traits() const override { return traits_; }
-    [[nodiscard]] engine::Result<Prediction> predict(const PairView&, const CasterGroup&) const override {
+    [[nodiscard]] engine::Result<Prediction>
+    predict(const PairView&, const CasterGroup&) const override {
         if (error_px_ < 0.0) return engine::Error{"the receiver is not flat"};
         Prediction prediction;
         prediction.error_px = error_px_;
@@ -56,9 +58,10 @@ Plan pick_one(const ShadowScene& scene, const ShadowSettings& settings) {
 }
 
 std::string reason_for(const Plan& plan, const std::string& technique) {
-    const auto found = std::find_if(plan.rejected.begin(), plan.rejected.end(), [&](const Rejection& rejection) {
-        return rejection.technique == technique;
-    });
+    const auto found =
+        std::find_if(plan.rejected.begin(), plan.rejected.end(), [&](const Rejection& rejection) {
+            return rejection.technique == technique;
+        });
     return found == plan.rejected.end() ? "" : found->reason;
 }
 
@@ -74,7 +77,8 @@ TEST(Picker, EveryOtherTechniqueHasItsReason) {
 
     EXPECT_THAT(reason_for(plan, "exact"), HasSubstr("dearer"));
     EXPECT_THAT(reason_for(plan, "poor"), HasSubstr("over the budget of 1 px"));
-    EXPECT_THAT(reason_for(plan, "planar"), HasSubstr("outside its domain: the receiver is not flat"));
+    EXPECT_THAT(
+        reason_for(plan, "planar"), HasSubstr("outside its domain: the receiver is not flat"));
     EXPECT_THAT(reason_for(plan, "truth"), HasSubstr("only for comparison"));
 }
 
@@ -167,7 +171,8 @@ TEST(PlanJson, NamesEverythingInWords) {
 
     const std::string json = plans_to_json(scene, plan);
 
-    for (const char* word : {"\"light\": \"sun\"", "\"receiver\": \"floor\"", "\"technique\": \"good\"", "\"box\""})
+    for (const char* word :
+         {"\"light\": \"sun\"", "\"receiver\": \"floor\"", "\"technique\": \"good\"", "\"box\""})
         EXPECT_THAT(json, HasSubstr(word));
 }
 

@@ -12,7 +12,8 @@ inline engine::WorldAabb box_at(const glm::dvec3& centre, double half) {
     return {centre - half, centre + half};
 }
 
-inline CasterView caster_at(const std::string& name, const glm::dvec3& centre, double half = 0.5, bool hero = false) {
+inline CasterView
+caster_at(const std::string& name, const glm::dvec3& centre, double half = 0.5, bool hero = false) {
     CasterView caster;
     caster.name = name;
     caster.id = static_cast<std::uint32_t>(std::hash<std::string>()(name));
@@ -22,7 +23,8 @@ inline CasterView caster_at(const std::string& name, const glm::dvec3& centre, d
     return caster;
 }
 
-inline ReceiverView receiver_at(const std::string& name, std::uint32_t id, const glm::dvec3& centre, double half) {
+inline ReceiverView
+receiver_at(const std::string& name, std::uint32_t id, const glm::dvec3& centre, double half) {
     ReceiverView receiver;
     receiver.name = name;
     receiver.id = id;
@@ -38,7 +40,8 @@ inline LightView sun(const glm::vec3& direction = {0.0F, -1.0F, 0.0F}) {
     return light;
 }
 
-inline LightView lamp(const glm::dvec3& position, float range = std::numeric_limits<float>::infinity()) {
+inline LightView
+lamp(const glm::dvec3& position, float range = std::numeric_limits<float>::infinity()) {
     LightView light;
     light.name = "lamp";
     light.id = 2;

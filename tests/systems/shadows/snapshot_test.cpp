@@ -1,6 +1,5 @@
-#include "systems/shadows/snapshot.hpp"
-
 #include "engine/scene/primitives.hpp"
+#include "systems/shadows/snapshot.hpp"
 #include "tests/systems/shadows/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,10 @@ public:
         world.assets.materials.emplace_back();
     }
 
-    ecs::Entity add(const std::string& name, const glm::dvec3& position, const glm::vec3& scale = glm::vec3(1.0F)) {
+    ecs::Entity
+    add(const std::string& name,
+        const glm::dvec3& position,
+        const glm::vec3& scale = glm::vec3(1.0F)) {
         const ecs::Entity entity = world.registry.create();
         world.registry.add(entity, scene::Name{name});
         scene::Transform transform;
@@ -41,8 +43,10 @@ public:
 };
 
 const ReceiverView& receiver(const ShadowScene& scene, const std::string& name) {
-    const auto found = std::find_if(
-        scene.receivers.begin(), scene.receivers.end(), [&](const ReceiverView& view) { return view.name == name; });
+    const auto found =
+        std::find_if(scene.receivers.begin(), scene.receivers.end(), [&](const ReceiverView& view) {
+            return view.name == name;
+        });
     EXPECT_NE(found, scene.receivers.end()) << name;
     return *found;
 }

@@ -1,0 +1,241 @@
+// The command line as other tools rely on it: files, words and exit codes. Runs the program itself.
+
+#include "engine/core/image.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr const char* kLevel = R"(
+local g = require "gnomon"
+return g.scene {
+  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
+  g.lamp { name = "lamp 1", position = { 1, 2, 0 }, intensity = 30, range = 8 },
+  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
+  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, position = { 0, 0.5, 0 } },
+  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
+}
+)";
+
+struct Outcome {
+    int code = 0;
+    std::string text; ///< of both standard output and error
+};
+
+Outcome run(const std::string& arguments) {
+    const std::string command = fmt::format("'{}' {} 2>&1", GNOMON_PROGRAM, arguments);
+    std::FILE* pipe = popen(command.c_str(), "r");
+    Outcome outcome;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
+        outcome.text.append(buffer.data(), count);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ =
+            fs::temp_directory_path() / fmt::format("gnomon_cli_{}_{}", test->name(), getpid());
+        fs::create_directories(folder_);
+        write("level.lua", kLevel);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (folder_ / name).string();
+    }
+    [[nodiscard]] nlohmann::json json(const std::string& name) const {
+        std::ifstream stream(folder_ / name);
+        return nlohmann::json::parse(stream);
+    }
+    /// Skips the test where there is no OpenGL.
+    Outcome run_gl(const std::string& arguments) const {
+        Outcome outcome = run(arguments);
+        if (outcome.code == 77) skipped_ = true;
+        return outcome;
+    }
+
+    fs::path folder_;
+    mutable bool skipped_ = false;
+};
+
+#define SKIP_WITHOUT_GL()                                                                          \
+    if (skipped_) GTEST_SKIP() << "no OpenGL here"
+
+TEST_F(CommandLine, AnUnknownOptionIsRefusedWithTheNearest) {
+    const Outcome outcome = run("render x.glb --framse 3");
+
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.text, HasSubstr("--framse"));
+    EXPECT_THAT(outcome.text, HasSubstr("did you mean '--frames'?"));
+}
+
+TEST_F(CommandLine, AnUnknownCommandIsRefusedWithTheNearest) {
+    const Outcome outcome = run("rendr x.glb");
+
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.text, HasSubstr("did you mean 'render'?"));
+}
+
+TEST_F(CommandLine, WrongValuesAreWrongUsage) {
+    for (const std::string options :
+         {"--size 12",
+          "--size 0x5",
+          "--technique volumee",
+          "--refresh sometimes",
+          "--map-size -3",
+          "--camera nowhere"}) {
+        SCOPED_TRACE(options);
+        const Outcome outcome =
+            run_gl(fmt::format("render {} {} --out {}", path("level.lua"), options, path("out")));
+        SKIP_WITHOUT_GL();
+        EXPECT_EQ(outcome.code, 2) << outcome.text;
+    }
+}
+
+TEST_F(CommandLine, ABrokenSceneExitsWithThreeAndItsPlace) {
+    write(
+        "broken.lua",
+        "local g = require \"gnomon\"\nreturn g.scene {\n  g.sun { name = \"sun\", directon = { 0, "
+        "-1, 0 } },\n}\n");
+
+    const Outcome outcome = run("check " + path("broken.lua"));
+
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.text, HasSubstr("broken.lua:3:"));
+    EXPECT_THAT(outcome.text, HasSubstr("direction"));
+}
+
+TEST_F(CommandLine, AMissingFileAndAStrangeOneExitWithThree) {
+    EXPECT_EQ(run("check " + path("nothing.glb")).code, 3);
+    write("notes.txt", "hello");
+    EXPECT_EQ(run("check " + path("notes.txt")).code, 3);
+}
+
+TEST_F(CommandLine, RenderLeavesEveryFileOfItsContract) {
+    const Outcome outcome = run_gl(fmt::format(
+        "render {} --size 160x120 --technique none --frames 4 --warmup 1 --seconds 5 --out {}",
+        path("level.lua"),
+        path("out")));
+    SKIP_WITHOUT_GL();
+
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+    for (const std::string name : {"color", "ids", "mask_sun", "mask_lamp_1"}) {
+        SCOPED_TRACE(name);
+        const auto image = engine::read_png(folder_ / "out" / (name + ".png"));
+        ASSERT_TRUE(image);
+        EXPECT_EQ(image->width, 160);
+        EXPECT_EQ(image->height, 120);
+    }
+    const auto stats = json("out/stats.json");
+    EXPECT_EQ(stats["frames"], 4);
+    EXPECT_EQ(stats["size"], nlohmann::json({160, 120}));
+    for (const std::string kind : {"with", "without"})
+        for (const std::string figure : {"median_ms", "min_ms", "p99_ms"})
+            EXPECT_GT(stats[kind][figure].get<double>(), 0.0);
+    EXPECT_FALSE(stats["renderer"].get<std::string>().empty());
+    EXPECT_GE(stats["passes"].size(), 2U);
+    EXPECT_GT(stats["counters"]["triangles"].get<int>(), 0);
+    EXPECT_GT(stats["gpu_bytes"].get<int>(), 0);
+    EXPECT_FALSE(json("out/plans.json")["pairs"].empty());
+}
+
+TEST_F(CommandLine, TracedMasksHoldShadowsAndNoneDoNot) {
+    const auto dark_pixels = [&](const std::string& technique) {
+        const Outcome outcome = run_gl(fmt::format(
+            "render {} --size 160x120 --technique {} --out {}",
+            path("level.lua"),
+            technique,
+            path("out")));
+        if (skipped_) return 0;
+        EXPECT_EQ(outcome.code, 0) << outcome.text;
+        const auto mask = engine::read_png(folder_ / "out" / "mask_sun.png");
+        return static_cast<int>(std::count_if(
+            mask->bytes.begin(), mask->bytes.end(), [](std::uint8_t v) { return v < 128; }));
+    };
+
+    const int traced = dark_pixels("traced");
+    SKIP_WITHOUT_GL();
+    EXPECT_GT(traced, 100);
+    EXPECT_EQ(dark_pixels("none"), 0);
+}
+
+TEST_F(CommandLine, TheSameSceneHasTheSameHash) {
+    const std::string arguments = fmt::format(
+        "render {} --size 160x120 --technique traced --hash --out {}",
+        path("level.lua"),
+        path("out"));
+
+    const Outcome first = run_gl(arguments);
+    SKIP_WITHOUT_GL();
+
+    EXPECT_THAT(first.text, HasSubstr("hash color.png "));
+    EXPECT_EQ(first.text, run(arguments).text);
+}
+
+TEST_F(CommandLine, ATechniqueThatCannotServeSaysSoAndExitsWithFour) {
+    const Outcome outcome = run_gl(fmt::format(
+        "render {} --size 64x64 --technique spot_map --out {}", path("level.lua"), path("out")));
+    SKIP_WITHOUT_GL();
+
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(outcome.text, testing::StartsWith("unsupported:"));
+}
+
+TEST_F(CommandLine, MeasureHoldsTracedAtZeroAndNoneFarFromIt) {
+    const Outcome outcome = run_gl(fmt::format(
+        "measure {} --size 160x120 --technique traced,none --samples 16 --protocol both "
+        "--walk-frames 3 --out {}",
+        path("level.lua"),
+        path("out")));
+    SKIP_WITHOUT_GL();
+
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+    const auto rows = json("out/measure.json")["rows"];
+    ASSERT_EQ(rows.size(), 8U); // two lights, two techniques, still and walk
+    EXPECT_EQ(rows[0]["technique"], "traced");
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "measure.csv"));
+}
+
+TEST_F(CommandLine, CheckReportsHealthAndPlans) {
+    const Outcome outcome = run("check " + path("level.lua"));
+
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.text, HasSubstr("closed"));
+    EXPECT_THAT(outcome.text, HasSubstr("pairs of light and receiver"));
+}
+
+TEST_F(CommandLine, PlayWithoutADisplayLeavesPicturesAndAPage) {
+    const Outcome outcome = run_gl(fmt::format(
+        "play {} --headless --size 64x48 --walk-seconds 0.5 --out {}",
+        path("level.lua"),
+        path("out")));
+    SKIP_WITHOUT_GL();
+
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "index.html"));
+    EXPECT_THAT(outcome.text, HasSubstr("pictures"));
+}
+
+} // namespace
