@@ -50,18 +50,34 @@ engine::Result<void> Renderer::draw(
     CHECK_EQ(target.width(), camera.width);
     CHECK_EQ(target.height(), camera.height);
     if (auto sized = resize(camera.width, camera.height); !sized) return sized;
-    sync(world);
-    const FrameInput input{world, receivers_, camera, lights};
-    if (visibility != nullptr)
-        if (auto prepared = visibility->prepare(input); !prepared) return prepared;
-
     frame_.begin();
-    upload_view(world, camera);
-    auto drawn = draw_geometry(frame_, shaders_, *gbuffer_, textures_, draws_, list_);
-    if (drawn && visibility != nullptr) drawn = visibility->refresh(frame_, shaders_);
-    if (drawn) drawn = light_frame(input, visibility, target, settings);
+    const auto drawn = draw_frame(world, camera, lights, visibility, target, settings);
     frame_.end();
     return drawn;
+}
+
+engine::Result<void> Renderer::draw_frame(
+    const scene::World& world,
+    const scene::CameraView& camera,
+    std::span<const scene::PlacedLight> lights,
+    LightVisibility* visibility,
+    const gpu::Framebuffer& target,
+    const FrameSettings& settings) {
+    {
+        const gpu::ScopedPass pass(frame_, "gather");
+        sync(world);
+        upload_view(world, camera);
+    }
+    const FrameInput input{world, receivers_, camera, lights};
+    if (visibility != nullptr) {
+        const gpu::ScopedPass pass(frame_, "plan");
+        if (auto prepared = visibility->prepare(input); !prepared) return prepared;
+    }
+    if (auto drawn = draw_geometry(frame_, shaders_, *gbuffer_, textures_, draws_, list_); !drawn)
+        return drawn;
+    if (visibility != nullptr)
+        if (auto refreshed = visibility->refresh(frame_, shaders_); !refreshed) return refreshed;
+    return light_frame(input, visibility, target, settings);
 }
 
 void Renderer::sync(const scene::World& world) {

@@ -55,6 +55,13 @@ private:
         std::vector<gpu::Framebuffer> targets; ///< one per layer
     };
 
+    engine::Result<void> draw_frame(
+        const scene::World& world,
+        const scene::CameraView& camera,
+        std::span<const scene::PlacedLight> lights,
+        LightVisibility* visibility,
+        const gpu::Framebuffer& target,
+        const FrameSettings& settings);
     void sync(const scene::World& world);
     void upload_view(const scene::World& world, const scene::CameraView& camera);
     engine::Result<void> resize(int width, int height);
