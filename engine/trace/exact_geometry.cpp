@@ -2,10 +2,6 @@
 
 #include "engine/core/check.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 namespace trace {
 namespace {
 
