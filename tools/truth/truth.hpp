@@ -1,0 +1,62 @@
+// The true visibility of one light over a picture, and how sure of it we are.
+//
+// A pixel is undecided when its visibility depends on choices that are not the scene's: how far
+// above the surface the shadow ray starts, or where in a hair's breadth round the centre the pixel
+// was sampled. Two correct renderers may honestly differ there.
+
+#pragma once
+
+#include "engine/scene/camera.hpp"
+#include "engine/scene/light.hpp"
+#include "engine/trace/trace_scene.hpp"
+#include "engine/trace/visibility.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace truth {
+
+struct TruthOptions {
+    trace::VisibilityOptions visibility;
+    /// Tests every pixel for being undecided, not only those near an edge of the shadow or of the
+    /// geometry.
+    bool all_pixels = false;
+};
+
+struct TruthImage {
+    trace::VisibilityImage image;
+    std::vector<std::uint8_t> undecided; ///< 1 where the truth is not sure, one per pixel
+};
+
+/// Parts of the pixels that show a surface, 0 to 1.
+struct Shares {
+    double surface = 0.0;     ///< of all pixels
+    double shadow = 0.0;      ///< less than half lit, of those that face the light
+    double facing_away = 0.0; ///< from the light
+    double undecided = 0.0;
+    double undecided_inside =
+        0.0; ///< undecided with no edge of the shadow or of an entity in the 8 pixels around
+};
+
+TruthImage true_visibility(
+    const trace::TraceScene& scene,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    const TruthOptions& options = {});
+
+Shares shares(const TruthImage& truth);
+
+/// 1 where a rasteriser shows the same surface as the truth: the same entity, and a view depth that
+/// differs by less than a thousandth. Anything else is a silhouette of the geometry, where neither
+/// is wrong.
+/// @param entity_ids Entity::value per pixel, top row first; that of kNoEntity where nothing is
+/// drawn
+/// @param depth view depth per pixel, metres
+/// @pre one value per pixel in both
+std::vector<std::uint8_t> validity(
+    const TruthImage& truth,
+    std::span<const std::uint32_t> entity_ids,
+    std::span<const float> depth);
+
+} // namespace truth

@@ -1,0 +1,23 @@
+// A truth on disk: pictures for people, numbers for programs.
+
+#pragma once
+
+#include "engine/core/result.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include "tools/truth/truth.hpp"
+
+namespace truth {
+
+/// Writes into `folder`
+/// - truth_NAME.png: visibility as 8-bit grey, 255 lit; 255 where nothing is hit;
+/// - truth_NAME_valid.png: 255 where the truth is sure, 64 where it is undecided, 0 where nothing
+/// is hit;
+/// - truth_NAME.json: the size and the shares.
+/// Errors: the folder does not exist or the disk is full.
+engine::Result<void>
+write_truth(const std::filesystem::path& folder, const std::string& name, const TruthImage& truth);
+
+} // namespace truth
