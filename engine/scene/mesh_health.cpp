@@ -27,25 +27,17 @@ public:
     QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
 };
 
-/// Differences of floats and their products fit in a double, so this is exact but for extreme
-/// coordinates.
-bool zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return glm::cross(b - a, c - a) == glm::dvec3(0.0);
-}
-
-/// The corners of all triangles that have an area, welded.
-std::vector<std::uint32_t> sound_corners(
-    std::span<const glm::vec3> positions,
-    std::span<const std::uint32_t> indices,
-    std::span<const std::uint32_t> welded) {
+/// The corners of all triangles with three of them, welded. Those that are merely thin to nothing
+/// stay: they close the surface where a vertex lies on the middle of a neighbour's edge.
+std::vector<std::uint32_t>
+sound_corners(std::span<const std::uint32_t> indices, std::span<const std::uint32_t> welded) {
     std::vector<std::uint32_t> corners;
     corners.reserve(indices.size());
     for (std::size_t first = 0; first < indices.size(); first += 3) {
         const std::uint32_t a = welded[indices[first]];
         const std::uint32_t b = welded[indices[first + 1]];
         const std::uint32_t c = welded[indices[first + 2]];
-        if (!zero_area(positions[a], positions[b], positions[c]))
-            corners.insert(corners.end(), {a, b, c});
+        if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
     }
     return corners;
 }
@@ -111,7 +103,7 @@ examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t
     health.open_edges_by_index = count_open_edges(indices);
 
     const std::vector<std::uint32_t> welded = weld_by_position(positions);
-    const std::vector<std::uint32_t> corners = sound_corners(positions, indices, welded);
+    const std::vector<std::uint32_t> corners = sound_corners(indices, welded);
     health.degenerate_triangles = health.triangles - static_cast<std::uint32_t>(corners.size() / 3);
     for_each_edge(sides_by_edge(corners), [&health](std::span<const TriangleSide> sides) {
         if (sides.size() == 1) ++health.open_edges;

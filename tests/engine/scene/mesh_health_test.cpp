@@ -77,16 +77,24 @@ TEST(MeshHealth, AFinOnAnEdgeIsNonManifoldAndItsFaceIsTheRemainder) {
 
 TEST(MeshHealth, DegenerateTrianglesAreCountedAndOtherwiseIgnored) {
     std::vector<glm::vec3> positions = kTetrahedron;
-    positions.emplace_back(0.5F, 0.0F, 0.0F); // on the edge from 0 to 1
     positions.emplace_back(0.0F, 0.0F, 0.0F); // welds to 0
     Corners corners = kTetrahedronCorners;
-    corners.insert(corners.end(), {0, 1, 4, 0, 5, 2});
+    corners.insert(corners.end(), {1, 1, 2, 0, 4, 2});
 
     const MeshHealth health = examine_mesh(positions, corners);
 
     EXPECT_EQ(health.triangles, 6U);
     EXPECT_EQ(health.degenerate_triangles, 2U);
     EXPECT_TRUE(health.closed());
+}
+
+TEST(MeshHealth, ATriangleWithoutWidthClosesTheEdgeThatItMends) {
+    std::vector<glm::vec3> positions = kTetrahedron;
+    positions.emplace_back(
+        0.5F, 0.0F, 0.0F); // on the edge from 0 to 1, known to one of its faces only
+    const Corners mended = {0, 2, 4, 4, 2, 1, 0, 4, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+    EXPECT_TRUE(examine_mesh(positions, mended).closed());
 }
 
 TEST(MeshHealth, DoubledTrianglesAreFoundWhicheverWayTheyAreWound) {
