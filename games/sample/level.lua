@@ -1,5 +1,6 @@
--- A walled court at noon, built of shapes alone: a slab, four walls with a gate, two rows of columns under a roof,
--- stairs to a terrace, a fountain, and a dark chamber with a lamp. North is -z; one unit is a metre.
+-- A walled court on a summer morning: a slab, four walls with a gate, an arcade, stairs to a terrace, a fountain and a
+-- dark chamber with a lamp, all of shapes; a statue, a sundial and passers-by from models/. North is -z; one unit is a
+-- metre.
 
 local g = require "gnomon"
 
@@ -44,7 +45,7 @@ for i = 1, 6 do
   stairs[#stairs + 1] = box("step_" .. i, { 9, height / 2, -1.9 - i * 0.35 }, { 3, height, 0.35 }, sand)
 end
 
--- The fountain: a rim, its water, a stem and a sphere that is the hero of the court's shadows.
+-- The fountain: a rim, its water, a stem and a sphere.
 local fountain = {
   g.model { name = "fountain_rim", shape = "torus", position = { 1, 0.3, 1 }, size = { 4, 0.6, 4 }, color = stone },
   g.model {
@@ -54,7 +55,7 @@ local fountain = {
     name = "fountain_stem", shape = "cylinder", position = { 1, 0.9, 1 }, size = { 0.35, 1.4, 0.35 }, color = bronze,
   },
   g.model {
-    name = "fountain_sphere", shape = "sphere", position = { 1, 2, 1 }, size = { 1, 1, 1 }, color = bronze, hero = true,
+    name = "fountain_sphere", shape = "sphere", position = { 1, 2, 1 }, size = { 1, 1, 1 }, color = bronze,
   },
 }
 
@@ -68,29 +69,52 @@ local chamber = {
 
 -- What stands about: jars, crates, a cypress.
 local things = {
-  box("crate_large", { -5.5, 0.6, 6.5 }, { 1.2, 1.2, 1.2 }, brick),
+  box("crate_large", { -6.2, 0.6, 7.6 }, { 1.2, 1.2, 1.2 }, brick),
   g.model {
-    name = "crate_small", shape = "box", position = { -5.4, 1.5, 6.4 }, rotation = { 0, 30, 0 },
+    name = "crate_small", shape = "box", position = { -6.1, 1.5, 7.5 }, rotation = { 0, 30, 0 },
     size = { 0.6, 0.6, 0.6 }, color = brick,
   },
-  g.model { name = "jar_body", shape = "sphere", position = { -3.6, 0.5, 7 }, size = { 0.8, 1, 0.8 }, color = bronze },
+  g.model { name = "jar_body", shape = "sphere", position = { -4.2, 0.5, 7.9 }, size = { 0.8, 1, 0.8 }, color = bronze },
   g.model {
-    name = "jar_neck", shape = "cylinder", position = { -3.6, 1.05, 7 }, size = { 0.4, 0.3, 0.4 }, color = bronze,
+    name = "jar_neck", shape = "cylinder", position = { -4.2, 1.05, 7.9 }, size = { 0.4, 0.3, 0.4 }, color = bronze,
   },
   g.model {
-    name = "cypress_trunk", shape = "cylinder", position = { 5, 0.5, -2 }, size = { 0.25, 1, 0.25 }, color = bronze,
+    name = "cypress_trunk", shape = "cylinder", position = { 5.9, 0.5, -1 }, size = { 0.25, 1, 0.25 }, color = bronze,
   },
   g.model {
-    name = "cypress_crown", shape = "cone", position = { 5, 3, -2 }, size = { 1.4, 4, 1.4 }, color = g.srgb("#3f6b3a"),
+    name = "cypress_crown", shape = "cone", position = { 5.9, 3, -1 }, size = { 1.4, 4, 1.4 }, color = g.srgb("#3f6b3a"),
   },
+}
+
+-- The statue is the hero of the court's shadows. It stands on two steps, a centimetre deep in the upper one.
+local statue = {
+  box("statue_step_low", { -3, 0.1, 0 }, { 1.8, 0.2, 1.8 }),
+  box("statue_step_high", { -3, 0.3, 0 }, { 1.2, 0.2, 1.2 }),
+  g.model {
+    name = "statue", file = "models/statue.glb", position = { -3, 0.39, 0 }, rotation = { 0, 65, 0 }, hero = true,
+  },
+}
+
+local function walker(name, position, heading, speed)
+  return g.model {
+    name = name, file = "models/walker.glb", position = position, rotation = { 0, heading, 0 }, animation = "walk",
+    animation_speed = speed,
+  }
+end
+
+-- Headings in degrees: 0 is south, 90 is east.
+local people = {
+  walker("walker_gate", { -1.9, 0, 3.2 }, 205, 1),
+  walker("walker_arcade", { -7.4, 0, 0.9 }, 15, 0.9),
+  walker("walker_stairs", { 6.2, 0, -3.4 }, 70, 1.1),
 }
 
 return g.scene {
   budget = { error_px = 1.0, shadow_ms = 12 },
-  ambient = { 0.16, 0.18, 0.22 },
+  ambient = { 0.18, 0.17, 0.17 },
 
-  -- High and a little from the south-west, so that every wall has a lit and a dark side.
-  g.sun { name = "sun", direction = { 0.45, -1, -0.35 }, illuminance = 80000, color = g.srgb("#fff4e0") },
+  -- Low in the south-east: shadows are longer than what throws them, and those of the columns lie in the arcade.
+  g.sun { name = "sun", direction = { -0.8, -0.7, -0.45 }, illuminance = 70000, color = g.srgb("#ffe8c4") },
   g.spot {
     name = "lantern_gate", position = { 0, 3.1, 8.7 }, target = { 0, 0, 6 }, intensity = 60000, range = 9,
     inner_angle = 25, outer_angle = 42, radius = 0.05, color = g.srgb("#ffd9a0"),
@@ -100,12 +124,18 @@ return g.scene {
     inner_angle = 20, outer_angle = 50, radius = 0.05, color = g.srgb("#ffd9a0"),
   },
   g.lamp {
-    name = "lamp_chamber", position = { 9.6, 2.4, 6.8 }, intensity = 20000, range = 7, radius = 0.04,
+    name = "lamp_chamber", position = { 9.6, 2.4, 6.8 }, intensity = 90000, range = 7, radius = 0.04,
     color = g.srgb("#ffb870"),
   },
 
-  g.camera { name = "court", position = { -6.5, 4.6, 8.4 }, look_at = { 1.5, 0.8, -1 }, fov = 62 },
-  g.camera { name = "arcade", position = { -10.6, 1.7, 7.6 }, look_at = { -8.6, 1.4, -4 }, fov = 65 },
+  -- A walk goes through the cameras in this order, on a curve that keeps clear of walls and columns.
+  g.camera { name = "court", position = { 2.6, 2.1, 8 }, look_at = { -2, 0.9, -0.5 }, fov = 58 },
+  g.camera { name = "by_sundial", position = { -3.4, 1.75, 5 }, look_at = { -5, 0.95, 2.6 }, fov = 50 },
+  g.camera { name = "arcade", position = { -10.5, 1.7, 5 }, look_at = { -9.7, 1.4, -4 }, fov = 62 },
+  g.camera { name = "between_columns", position = { -10.2, 1.7, -5.9 }, look_at = { -4, 1.2, -2.4 }, fov = 50 },
+  g.camera { name = "by_statue", position = { -5.6, 1.5, -4.2 }, look_at = { -2.6, 1.35, 0.4 }, fov = 50 },
+  g.camera { name = "by_stairs", position = { 2.6, 1.9, -2 }, look_at = { 8.6, 0.8, -3 }, fov = 55 },
+  g.camera { name = "by_chamber", position = { 5, 1.6, 4.9 }, look_at = { 10.6, 0.8, 6.6 }, fov = 50 },
 
   -- The ground takes no part in casting: nothing lies below it.
   g.model {
@@ -118,6 +148,9 @@ return g.scene {
   fountain,
   chamber,
   things,
+  statue,
+  g.model { name = "sundial", file = "models/sundial.glb", position = { -5, 0, 2.6 } },
+  people,
 
   -- The lamp lights only its chamber, whose shadows are seen from near: ask for more there.
   g.rule { light = "lamp_chamber", error_px = 0.5 },
