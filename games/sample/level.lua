@@ -132,10 +132,10 @@ return g.scene {
   g.camera { name = "court", position = { 2.6, 2.1, 8 }, look_at = { -2, 0.9, -0.5 }, fov = 58 },
   g.camera { name = "by_sundial", position = { -3.4, 1.75, 5 }, look_at = { -5, 0.95, 2.6 }, fov = 50 },
   g.camera { name = "arcade", position = { -10.5, 1.7, 5 }, look_at = { -9.7, 1.4, -4 }, fov = 62 },
-  g.camera { name = "between_columns", position = { -10.2, 1.7, -5.9 }, look_at = { -4, 1.2, -2.4 }, fov = 50 },
+  g.camera { name = "between_columns", position = { -10.1, 1.7, -5.6 }, look_at = { -3.5, 1.2, -3.9 }, fov = 50 },
   g.camera { name = "by_statue", position = { -5.6, 1.5, -4.2 }, look_at = { -2.6, 1.35, 0.4 }, fov = 50 },
   g.camera { name = "by_stairs", position = { 2.6, 1.9, -2 }, look_at = { 8.6, 0.8, -3 }, fov = 55 },
-  g.camera { name = "by_chamber", position = { 5, 1.6, 4.9 }, look_at = { 10.6, 0.8, 6.6 }, fov = 50 },
+  g.camera { name = "by_chamber", position = { 4.4, 1.7, 4.3 }, look_at = { 9.4, 1.1, 6.6 }, fov = 58 },
 
   -- The ground takes no part in casting: nothing lies below it.
   g.model {
