@@ -74,15 +74,15 @@ local things = {
     name = "crate_small", shape = "box", position = { -6.1, 1.5, 7.5 }, rotation = { 0, 30, 0 },
     size = { 0.6, 0.6, 0.6 }, color = brick,
   },
-  g.model { name = "jar_body", shape = "sphere", position = { -4.2, 0.5, 7.9 }, size = { 0.8, 1, 0.8 }, color = bronze },
+  g.model { name = "jar_body", shape = "sphere", position = { -4.2, 0.5, 8 }, size = { 0.8, 1, 0.8 }, color = bronze },
   g.model {
-    name = "jar_neck", shape = "cylinder", position = { -4.2, 1.05, 7.9 }, size = { 0.4, 0.3, 0.4 }, color = bronze,
+    name = "jar_neck", shape = "cylinder", position = { -4.2, 1.05, 8 }, size = { 0.4, 0.3, 0.4 }, color = bronze,
   },
   g.model {
-    name = "cypress_trunk", shape = "cylinder", position = { 5.9, 0.5, -1 }, size = { 0.25, 1, 0.25 }, color = bronze,
+    name = "cypress_trunk", shape = "cylinder", position = { 6, 0.5, -1 }, size = { 0.25, 1, 0.25 }, color = bronze,
   },
   g.model {
-    name = "cypress_crown", shape = "cone", position = { 5.9, 3, -1 }, size = { 1.4, 4, 1.4 }, color = g.srgb("#3f6b3a"),
+    name = "cypress_crown", shape = "cone", position = { 6, 3, -1 }, size = { 1.4, 4, 1.4 }, color = g.srgb("#3f6b3a"),
   },
 }
 

@@ -1,4 +1,7 @@
-"""A sundial: a stone pedestal, a bronze plate with hour marks, and the gnomon, which points north (+y here, -z in glTF)."""
+"""A sundial: a stone pedestal, a bronze plate with hour marks, and the gnomon, which points north.
+
+North is +y here, -z in glTF.
+"""
 
 import math
 

@@ -1,6 +1,6 @@
-"""A passer-by in a straw hat: an armature of thirteen bones, a mesh that it bends, and the clip "walk", one second, in place.
+"""A passer-by in a straw hat: an armature of thirteen bones, a mesh that it bends, and the clip "walk".
 
-Faces -y here, +z in glTF.
+The clip takes one second, in place. The face looks along -y here, +z in glTF.
 """
 
 import math
@@ -44,7 +44,10 @@ def limb(x, heights_and_radii, material):
 
 
 def leg_part(x):
-    radii = [(ANKLE + 0.02, 0.046), (0.32, 0.06), (KNEE - 0.05, 0.056), (KNEE, 0.06), (KNEE + 0.05, 0.062), (HIP - 0.07, 0.09)]
+    radii = [
+        (ANKLE + 0.02, 0.046), (0.32, 0.06), (KNEE - 0.05, 0.056), (KNEE, 0.06), (KNEE + 0.05, 0.062),
+        (HIP - 0.07, 0.09),
+    ]
     return limb(x, radii, TROUSERS)
 
 
@@ -68,7 +71,8 @@ def shoe_part(x):
 
 def hat_part():
     profile = [
-        (0.0, 1.675), (0.1, 1.68), (0.25, 1.665), (0.25, 1.678), (0.128, 1.705), (0.115, 1.76), (0.08, 1.795), (0.0, 1.8),
+        (0.0, 1.675), (0.1, 1.68), (0.25, 1.665), (0.25, 1.678), (0.128, 1.705), (0.115, 1.76), (0.08, 1.795),
+        (0.0, 1.8),
     ]
     return revolve(profile, 14, STRAW)
 
