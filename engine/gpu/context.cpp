@@ -13,11 +13,9 @@ namespace {
 
 std::string gl_string(GLenum name) {
     const GLubyte* text = glGetString(name);
-    // OpenGL hands out unsigned bytes of plain text.
-    return text == nullptr
-               ? "unknown"
-               : reinterpret_cast<const char*>(
-                   text); // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast): see above
+    if (text == nullptr) return "unknown";
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): unsigned bytes of plain text
+    return reinterpret_cast<const char*>(text);
 }
 
 GLint gl_integer(GLenum name) {
@@ -61,8 +59,8 @@ void set_conventions() {
 }
 
 bool environment_wants_fatal_errors() {
-    const char* wish =
-        std::getenv("GNOMON_GL_ERRORS"); // NOLINT(concurrency-mt-unsafe): nobody sets it
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets variables while the engine runs
+    const char* wish = std::getenv("GNOMON_GL_ERRORS");
     return wish != nullptr && std::string_view(wish) == "fatal";
 }
 
@@ -93,9 +91,9 @@ void Context::on_message(
     const void* user) {
     // A shader that does not compile is an error of its file, which the shader library returns.
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
-    // OpenGL keeps the pointer as const; it is the `this` of the constructor.
-    auto* context = static_cast<Context*>(
-        const_cast<void*>(user)); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the constructor's `this`, kept as
+    // const
+    auto* context = static_cast<Context*>(const_cast<void*>(user));
     context->take_message(type, severity, std::string(text, static_cast<std::size_t>(length)));
 }
 

@@ -15,6 +15,14 @@ std::uint64_t triangle_count(const DrawRange& range) {
     return per_instance * range.instances;
 }
 
+/// Element `index` of the bound buffer, as OpenGL's draws take it: an offset in the guise of a
+/// pointer.
+const void* place_in_buffer(std::uint32_t index, std::size_t element_bytes) {
+    const std::uintptr_t offset_bytes = index * element_bytes;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast)
+    return reinterpret_cast<const void*>(offset_bytes);
+}
+
 } // namespace
 
 Frame::Frame(TimerBackend timer) : timers_(timer), no_vertices_(VertexArray::none()) {}
@@ -45,15 +53,11 @@ void Frame::draw(const Program& program, const VertexArray& vertices, const Draw
     const auto count = static_cast<GLsizei>(range.count);
     const auto instances = static_cast<GLsizei>(range.instances);
     if (vertices.indexed()) {
-        // The last argument of the call is an offset in bytes in the guise of a pointer.
-        const auto offset_bytes = static_cast<std::uintptr_t>(range.first) * sizeof(std::uint32_t);
         glDrawElementsInstancedBaseVertexBaseInstance(
             mode,
             count,
             GL_UNSIGNED_INT,
-            reinterpret_cast<const void*>(
-                offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
-                               // OpenGL's own convention
+            place_in_buffer(range.first, sizeof(std::uint32_t)),
             instances,
             range.base_vertex,
             range.base_instance);
@@ -74,13 +78,10 @@ void Frame::draw_indirect(
     state_.set_program(program.name());
     state_.set_vertex_array(vertices.name());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, range.commands->name());
-    const auto offset_bytes = static_cast<std::uintptr_t>(range.first) * kCommandBytes;
     glMultiDrawElementsIndirect(
         static_cast<GLenum>(range.primitive),
         GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(
-            offset_bytes), // NOLINT(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast):
-                           // OpenGL's own convention
+        place_in_buffer(range.first, kCommandBytes),
         static_cast<GLsizei>(range.count),
         0);
     ++counters_.draws;

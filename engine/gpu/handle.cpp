@@ -7,10 +7,9 @@ namespace gpu {
 
 namespace {
 
-// Objects outlive the frame that made them and know no context, so their sum belongs to the
-// process.
-std::atomic<std::uint64_t> total_bytes =
-    0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): see above
+// Objects know no context, so the sum of their bytes belongs to the process.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<std::uint64_t> total_bytes = 0;
 
 // OpenGL 4.5, table 23.68: the least value of MAX_LABEL_LENGTH, terminator included.
 constexpr std::size_t kMaxLabelBytes = 255;

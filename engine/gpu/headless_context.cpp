@@ -21,9 +21,8 @@ namespace {
 
 template <class Function>
 Function egl_function(const char* name) {
-    // EGL gives every function as one type.
-    return reinterpret_cast<Function>(
-        eglGetProcAddress(name)); // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast): see above
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): EGL gives all as one type
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
 bool has_extension(const char* list, std::string_view name) {
@@ -37,8 +36,8 @@ bool has_extension(const char* list, std::string_view name) {
 }
 
 bool software_wanted() {
-    const char* wish =
-        std::getenv("LIBGL_ALWAYS_SOFTWARE"); // NOLINT(concurrency-mt-unsafe): nobody sets it
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nobody sets variables while the engine runs
+    const char* wish = std::getenv("LIBGL_ALWAYS_SOFTWARE");
     if (wish == nullptr) return false;
     const std::string_view text = wish;
     return text == "1" || text == "true" || text == "yes";
@@ -67,11 +66,11 @@ std::vector<Candidate> device_candidates() {
     const auto is_software = [&](EGLDeviceEXT device) {
         return has_extension(query_string(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
     };
-    const auto end = devices.begin() + count;
-    const auto first_software = std::stable_partition(
+    auto* const end = devices.begin() + count;
+    auto* const first_software = std::stable_partition(
         devices.begin(), end, [&](EGLDeviceEXT device) { return !is_software(device); });
     std::vector<Candidate> candidates;
-    for (auto device = software_wanted() ? first_software : devices.begin(); device != end;
+    for (const auto* device = software_wanted() ? first_software : devices.begin(); device != end;
          ++device) {
         candidates.push_back(
             {get_display(EGL_PLATFORM_DEVICE_EXT, *device, nullptr), "EGL device"});

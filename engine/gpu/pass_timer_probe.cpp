@@ -4,6 +4,7 @@
 #include "engine/gpu/pass_timer.hpp"
 #include "engine/gpu/shader_library.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -25,9 +26,8 @@ public:
         : texture_("timer probe", {.format = Format::r32f, .width = kSide, .height = kSide}),
           target_(Framebuffer::make("timer probe", {.colors = {{.texture = &texture_}}})),
           program_(library_.graphics("gpu/fullscreen.vert", "gpu/timer_probe.frag")) {
-        GLuint names[2] = {}; // NOLINT(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays):
-                              // two names for one call
-        glCreateQueries(GL_TIMESTAMP, 2, names);
+        std::array<GLuint, 2> names = {};
+        glCreateQueries(GL_TIMESTAMP, 2, names.data());
         start_ = QueryHandle(names[0]);
         end_ = QueryHandle(names[1]);
     }

@@ -50,7 +50,7 @@ public:
     engine::Result<void> add_file(const std::string& name) {
         engine::Result<std::string> text = read_(name);
         if (!text) return text.error();
-        result.files.push_back(name);
+        result_.files.push_back(name);
 
         std::string_view rest = *text;
         for (int line_number = 1; !rest.empty(); ++line_number) {
@@ -62,12 +62,12 @@ public:
     }
 
     [[nodiscard]] bool has_version() const { return has_version_; }
-    ExpandedShader result;
+    [[nodiscard]] ExpandedShader take() { return std::move(result_); }
 
 private:
     engine::Result<void> add_line(std::string_view line, const engine::SourcePlace& place) {
         if (directive(line, "version")) {
-            if (result.files.size() > 1) {
+            if (result_.files.size() > 1) {
                 return engine::Error{"#version may stand in main files only", place};
             }
             has_version_ = true;
@@ -93,7 +93,7 @@ private:
         }
         if (!has_version_) return engine::Error{"#include stands before #version", place};
         const std::string name(target.substr(1, end - 1));
-        if (std::find(result.files.begin(), result.files.end(), name) != result.files.end()) {
+        if (std::find(result_.files.begin(), result_.files.end(), name) != result_.files.end()) {
             return {};
         }
         engine::Result<void> added = add_file(name);
@@ -104,8 +104,8 @@ private:
     }
 
     void put(std::string_view line, const engine::SourcePlace& place) {
-        result.text.append(line).push_back('\n');
-        result.lines.push_back(place);
+        result_.text.append(line).push_back('\n');
+        result_.lines.push_back(place);
     }
 
     /// "#define NAME VALUE" of "NAME=VALUE".
@@ -118,6 +118,7 @@ private:
 
     std::span<const std::string> defines_;
     const ShaderReader& read_;
+    ExpandedShader result_;
     bool has_version_ = false;
 };
 
@@ -141,7 +142,7 @@ bool take(std::string_view& text, std::string_view prefix) {
 }
 
 LogLine parse_log_line(std::string_view line, const ExpandedShader& shader) {
-    const LogLine unchanged = {{}, std::string(line)};
+    LogLine unchanged = {{}, std::string(line)};
     std::string_view rest = line;
     const bool error_first = take(rest, "ERROR: "); // a third form: "ERROR: 0:17: text"
     std::size_t file = 0;                           // of no use: see ExpandedShader
@@ -184,7 +185,7 @@ engine::Result<ExpandedShader> expand_shader(
     const engine::Result<void> added = expander.add_file(name);
     if (!added) return added.error();
     if (!expander.has_version()) return engine::Error{"this shader has no #version", {name, 1}};
-    return std::move(expander.result);
+    return expander.take();
 }
 
 std::string readable_log(std::string_view log, const ExpandedShader& shader) {

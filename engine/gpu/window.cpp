@@ -97,9 +97,8 @@ engine::Result<std::unique_ptr<Window>> make_window_context(const WindowOptions&
     native.make_current();
     glfwSwapInterval(options.vsync ? 1 : 0);
     auto context = std::make_unique<Context>(std::move(native), options.context);
-    return std::unique_ptr<Window>(
-        new Window(window, std::move(context))); // NOLINT(cppcoreguidelines-owning-memory):
-                                                 // make_unique cannot reach the private constructor
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): make_unique cannot reach the constructor
+    return std::unique_ptr<Window>(new Window(window, std::move(context)));
 }
 
 } // namespace gpu
