@@ -87,6 +87,10 @@ gpu::Defines defines_of(const Lighting::Pass& pass) {
     gpu::Defines defines = {
         fmt::format("DIRECTIONAL_COUNT={}", directional),
         fmt::format("LOCAL_COUNT={}", std::min<std::ptrdiff_t>(local, 3))};
+    const bool spots = std::any_of(lights.begin(), lights.end(), [&](const BatchLight& entry) {
+        return pass.lights[entry.light].light.kind == scene::LightKind::spot;
+    });
+    if (spots) defines.emplace_back("SPOTS");
     if (pass.masks != nullptr) defines.emplace_back("MASKS");
     if (pass.earlier != nullptr) defines.emplace_back("ADD_EARLIER");
     if (pass.last) defines.emplace_back("TONE_MAP");

@@ -32,30 +32,33 @@ float visibility_of(LightData light) {
     return 1.0;
 }
 
-// Exposed light on a surface before albedo. Both take a normal of any length and 1 / length.
-vec3 directional_light(LightData light, vec3 normal, float inverse_length) {
-    float cosine = max(-dot(normal, light.direction_layer.xyz), 0.0) * inverse_length;
+// Exposed light on a surface before albedo, for a normal of any length.
+vec3 directional_light(LightData light, vec3 normal, float normal_2) {
+    float cosine = max(-dot(normal, light.direction_layer.xyz), 0.0) * inversesqrt(normal_2);
     return light.color_range.rgb * (cosine * visibility_of(light));
 }
 
 // Source: KHR_lights_punctual, range and cone attenuation; scene::illuminance_at is its twin on the CPU.
-vec3 local_light(LightData light, vec3 position, vec3 normal, float inverse_length) {
+vec3 local_light(LightData light, vec3 position, vec3 normal, float normal_2) {
     vec3 offset = light.position_kind.xyz - position;
-    float inverse_distance_2 = 1.0 / max(dot(offset, offset), 1e-4);
-    float inverse_distance = sqrt(inverse_distance_2);
-    float window = clamp(1.0 - light.color_range.w / (inverse_distance_2 * inverse_distance_2), 0.0, 1.0);
-    float cos_angle = -dot(offset, light.direction_layer.xyz) * inverse_distance;
+    float distance_2 = max(dot(offset, offset), 1e-4);
+    float window = clamp(1.0 - distance_2 * distance_2 * light.color_range.w, 0.0, 1.0);
+    float cosine = max(dot(normal, offset), 0.0) * inversesqrt(normal_2 * distance_2);
+    float strength = window * cosine / distance_2 * visibility_of(light);
+#ifdef SPOTS
+    float cos_angle = -dot(offset, light.direction_layer.xyz) * inversesqrt(distance_2);
     float cone = clamp(cos_angle * light.cone.x + light.cone.y, 0.0, 1.0);
-    float cosine = max(dot(normal, offset), 0.0) * inverse_length * inverse_distance;
-    return light.color_range.rgb * (window * inverse_distance_2 * cone * cone * cosine * visibility_of(light));
+    strength *= cone * cone;
+#endif
+    return light.color_range.rgb * strength;
 }
 
-#define ADD_DIRECTIONAL(i) arriving += directional_light(lights[i], normal, inverse_length);
-#define ADD_LOCAL(i) arriving += local_light(lights[i], position, normal, inverse_length);
+#define ADD_DIRECTIONAL(i) arriving += directional_light(lights[i], normal, normal_2);
+#define ADD_LOCAL(i) arriving += local_light(lights[i], position, normal, normal_2);
 
 vec3 light_arriving(vec3 position, vec3 normal) {
     vec3 arriving = ambient.rgb;
-    float inverse_length = inversesqrt(dot(normal, normal));
+    float normal_2 = dot(normal, normal);
 #if DIRECTIONAL_COUNT > 0
     ADD_DIRECTIONAL(0)
 #endif
