@@ -254,8 +254,8 @@ engine::Result<std::vector<float>> AccessorReader::floats(int accessor, int widt
         const std::size_t element = i / static_cast<std::size_t>(width);
         if (!std::isfinite(value))
             return engine::Error{fmt::format("element {} is not finite", element)};
-        return engine::Error{
-            fmt::format("element {} is {}, expected at most {:g}", element, value, kLargestNumber)};
+        return engine::Error{fmt::format(
+            "element {} is {:g}, expected at most {:g}", element, value, kLargestNumber)};
     }
     return numbers;
 }

@@ -7,7 +7,6 @@
 #include <array>
 #include <exception>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace scene {
@@ -26,8 +25,12 @@ engine::Result<std::vector<std::uint8_t>> read_bytes(const std::string& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return engine::Error{"no such file"};
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) return engine::Error{"can not be opened"};
-    return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(stream), {});
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || !stream) return engine::Error{"can not be opened"};
+    std::vector<std::uint8_t> bytes(size);
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+        return engine::Error{"can not be read"};
+    return bytes;
 }
 
 // Call-backs of the parser: files beside the model, or none at all.

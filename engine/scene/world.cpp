@@ -60,7 +60,8 @@ void update_world_transforms(World& world) {
     if (transforms_changed) give_world_transforms(registry);
     const bool order_changed =
         order.parents_version != registry.version<Parent>()
-        || order.world_transforms_version != registry.version<WorldTransform>();
+        || order.world_transforms_version != registry.version<WorldTransform>()
+        || order.entries.size() != registry.count<Transform>();
     if (!transforms_changed && !order_changed) return;
     if (order_changed) order.entries = parents_first(registry);
 

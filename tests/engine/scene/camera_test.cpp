@@ -56,7 +56,7 @@ TEST(CameraView, ClipMatrixGivesTheSamePixelAsProject) {
 
         EXPECT_NEAR((clip.x / clip.w * 0.5 + 0.5) * view.width, seen.x, 0.05);
         EXPECT_NEAR((0.5 - clip.y / clip.w * 0.5) * view.height, seen.y, 0.05);
-        EXPECT_NEAR(clip.z / clip.w * seen.z, double{view.near}, 1e-4);
+        EXPECT_NEAR(clip.z / clip.w * seen.z, static_cast<double>(view.near), 1e-4);
     }
 }
 
@@ -77,7 +77,7 @@ TEST(CameraView, PicturesBeginAtTheTopLeft) {
 
     EXPECT_LT(top_left.x, 0.0);
     EXPECT_GT(top_left.y, 0.0);
-    EXPECT_NEAR(top_left.y, std::tan(0.5 * double{view.fov_y}), 1e-6);
+    EXPECT_NEAR(top_left.y, std::tan(0.5 * static_cast<double>(view.fov_y)), 1e-6);
     EXPECT_NEAR(top_left.x, -top_left.y * 1280.0 / 720.0, 1e-6);
 }
 
