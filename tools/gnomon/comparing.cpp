@@ -55,17 +55,31 @@ std::vector<float> display_luminance(const engine::Image& color) {
     return luminance;
 }
 
+bool is_soft(const scene::Light& light) {
+    return light.radius > 0.0F || light.angular_radius > 0.0F;
+}
+
 measure::Comparison make_comparison(
     const engine::Image& mask,
     const truth::TruthImage& truth,
     const DrawnSurfaces& drawn,
-    bool soft) {
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light) {
     measure::Mask true_mask(truth.image.width, truth.image.height);
     true_mask.visibility = truth.image.visibility;
-    measure::Comparison comparison =
-        measure::comparison(measure::mask_from_image(mask), std::move(true_mask), soft);
-    for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel)
-        comparison.kind[pixel] = measure::classify(evidence_at(pixel, truth, drawn));
+    measure::Comparison comparison = measure::comparison(
+        measure::mask_from_image(mask), std::move(true_mask), is_soft(light.light));
+    for (int y = 0; y < truth.image.height; ++y)
+        for (int x = 0; x < truth.image.width; ++x) {
+            const std::size_t pixel = truth.image.index(x, y);
+            measure::PixelEvidence evidence = evidence_at(pixel, truth, drawn);
+            const glm::dvec3 place =
+                camera.ray_direction(x + 0.5, y + 0.5) * static_cast<double>(evidence.truth_depth);
+            const glm::vec3 to_light(light.position - camera.position - place);
+            if (evidence.truth_entity != 0 && !(scene::illuminance_at(light, to_light) > 0.0F))
+                evidence.n_dot_l = 0.0F;
+            comparison.kind[pixel] = measure::classify(evidence);
+        }
     return comparison;
 }
 

@@ -23,12 +23,17 @@ DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera);
 /// Luminance in [0, 1] of what a display would show. Source: ITU-R BT.709 weights.
 std::vector<float> display_luminance(const engine::Image& color);
 
-/// Every pixel classified. Luminances are left empty.
+/// A light whose edges have a width.
+bool is_soft(const scene::Light& light);
+
+/// Every pixel classified; where a light ends before the surface, by its range or its cone, it
+/// counts as turned away: nothing there depends on its mask. Luminances are left empty.
 measure::Comparison make_comparison(
     const engine::Image& mask,
     const truth::TruthImage& truth,
     const DrawnSurfaces& drawn,
-    bool soft);
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light);
 
 /// Green where both agree, red where it is dark but should be lit, blue where it is lit but should
 /// be dark; pixels that no figure uses are grey.

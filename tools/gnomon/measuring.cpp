@@ -20,10 +20,6 @@ constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr int kStillFrames = 16;
 constexpr std::size_t kTrackedPoints = 20000;
 
-bool soft(const scene::Light& light) {
-    return light.radius > 0.0F || light.angular_radius > 0.0F;
-}
-
 void override_technique(Level& level, const std::string& technique) {
     ShadowOptions options;
     options.technique = technique;
@@ -86,7 +82,7 @@ public:
         const DrawnSurfaces drawn = drawn_surfaces(studio_, camera);
         const auto mask = studio_.mask(light);
         if (!mask) return mask.error();
-        return make_comparison(*mask, truth, drawn, soft(studio_.lights()[light].light));
+        return make_comparison(*mask, truth, drawn, camera, studio_.lights()[light]);
     }
 
     engine::Result<measure::Row> still(

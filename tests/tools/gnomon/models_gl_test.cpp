@@ -47,7 +47,9 @@ Drawn draw_and_trace(Level& level) {
     const trace::TraceScene tracer(level.world);
     const auto truth = truth::true_visibility(tracer, camera, one.lights().front());
     const engine::Image lit(kWidth, kHeight, 1);
-    return {make_comparison(lit, truth, drawn_surfaces(one, camera), false), one.receiver_ids()};
+    return {
+        make_comparison(lit, truth, drawn_surfaces(one, camera), camera, one.lights().front()),
+        one.receiver_ids()};
 }
 
 double invalid_share(const measure::Comparison& comparison) {
