@@ -218,9 +218,9 @@ TEST_F(CommandLine, MeasureHoldsTracedAtZeroAndNoneFarFromIt) {
         if (row["settings"] != "") continue; // the walk has figures of motion only
         const double error = row["mean_error"].get<double>();
         if (row["technique"] == "traced") {
-            EXPECT_LT(error, 0.01) << row["light"];
+            EXPECT_LT(error, 0.0015) << row["light"];
         } else {
-            EXPECT_GT(error, 0.005) << row["light"];
+            EXPECT_GT(error, 0.0015) << row["light"];
         }
     }
     EXPECT_TRUE(fs::exists(folder_ / "out" / "measure.csv"));
