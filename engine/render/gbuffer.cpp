@@ -26,13 +26,15 @@ gpu::RenderState state_of(const DrawBucket& bucket) {
 
 } // namespace
 
-engine::Result<GBuffer> GBuffer::make(int width, int height) {
+engine::Result<GBuffer> GBuffer::make(int width, int height, bool with_stencil) {
     GBuffer made;
     made.surface_ = gpu::Texture(
         "gbuffer/surface", {.format = gpu::Format::rg32ui, .width = width, .height = height});
     made.depth_ = gpu::Texture(
         "gbuffer/depth",
-        {.format = gpu::Format::depth32f_stencil8, .width = width, .height = height});
+        {.format = with_stencil ? gpu::Format::depth32f_stencil8 : gpu::Format::depth32f,
+         .width = width,
+         .height = height});
     auto target = gpu::Framebuffer::make(
         "gbuffer", {.colors = {{&made.surface_}}, .depth = gpu::Attachment{&made.depth_}});
     if (!target) return target.error();

@@ -16,12 +16,14 @@ namespace render {
 class GBuffer {
 public:
     /// Errors: the driver draws into no such set of textures.
-    static engine::Result<GBuffer> make(int width, int height);
+    static engine::Result<GBuffer> make(int width, int height, bool with_stencil);
 
     [[nodiscard]] const gpu::Texture& surface() const {
         return surface_;
     } ///< rg32ui, include/gbuffer.glsl
-    [[nodiscard]] const gpu::Texture& depth() const { return depth_; } ///< depth32f_stencil8
+    [[nodiscard]] const gpu::Texture& depth() const {
+        return depth_;
+    } ///< reversed; depth32f, or depth32f_stencil8 where a technique needs it
     [[nodiscard]] const gpu::Framebuffer& target() const { return target_; }
 
 private:

@@ -42,6 +42,9 @@ public:
     /// Whether the light (an index into FrameInput::lights) needs a mask at all; without one it is
     /// lit everywhere.
     [[nodiscard]] virtual bool serves(std::size_t light) const = 0;
+    /// Whether anything of this frame works with the stencil; without it the depth buffer is half
+    /// as large.
+    [[nodiscard]] virtual bool needs_stencil() const { return false; }
     /// GPU: redraws what the masks are made from. Errors: a shader that does not compile.
     virtual engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) = 0;
     /// GPU: lowers the light's mask. @pre serves(light)

@@ -49,7 +49,6 @@ engine::Result<void> Renderer::draw(
     const FrameSettings& settings) {
     CHECK_EQ(target.width(), camera.width);
     CHECK_EQ(target.height(), camera.height);
-    if (auto sized = resize(camera.width, camera.height); !sized) return sized;
     frame_.begin();
     const auto drawn = draw_frame(world, camera, lights, visibility, target, settings);
     frame_.end();
@@ -73,6 +72,8 @@ engine::Result<void> Renderer::draw_frame(
         const gpu::ScopedPass pass(frame_, "plan");
         if (auto prepared = visibility->prepare(input); !prepared) return prepared;
     }
+    const bool with_stencil = visibility != nullptr && visibility->needs_stencil();
+    if (auto sized = resize(camera.width, camera.height, with_stencil); !sized) return sized;
     if (auto drawn = draw_geometry(frame_, shaders_, *gbuffer_, textures_, draws_, list_); !drawn)
         return drawn;
     if (visibility != nullptr)
@@ -157,10 +158,12 @@ engine::Result<engine::Image> Renderer::draw_mask(std::size_t light, LightVisibi
     return gpu::read_image(masks_.texture);
 }
 
-engine::Result<void> Renderer::resize(int width, int height) {
-    if (gbuffer_ && gbuffer_->target().width() == width && gbuffer_->target().height() == height)
+engine::Result<void> Renderer::resize(int width, int height, bool with_stencil) {
+    // A stencil that is there already stays: it costs less than making it again and again.
+    if (gbuffer_ && gbuffer_->target().width() == width && gbuffer_->target().height() == height
+        && (!with_stencil || gpu::traits(gbuffer_->depth().format()).stencil))
         return {};
-    auto made = GBuffer::make(width, height);
+    auto made = GBuffer::make(width, height, with_stencil);
     if (!made) return made.error();
     gbuffer_ = *std::move(made);
     masks_ = {};

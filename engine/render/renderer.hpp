@@ -64,7 +64,7 @@ private:
         const FrameSettings& settings);
     void sync(const scene::World& world);
     void upload_view(const scene::World& world, const scene::CameraView& camera);
-    engine::Result<void> resize(int width, int height);
+    engine::Result<void> resize(int width, int height, bool with_stencil);
     engine::Result<void> reserve_masks(int layers);
     void draw_masks(const LightBatch& batch, LightVisibility& visibility);
     engine::Result<void> light_frame(

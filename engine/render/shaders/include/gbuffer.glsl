@@ -12,11 +12,12 @@ vec2 octahedral(vec3 normal) {
     return normal.z >= 0.0 ? flat_part : folded;
 }
 
-// Not normalised.
-vec3 from_octahedral(vec2 point) {
-    vec3 normal = vec3(point, 1.0 - abs(point.x) - abs(point.y));
+// Not normalised. @param point each coordinate in [-scale, scale]
+vec3 from_octahedral(vec2 point, float scale) {
+    vec3 normal = vec3(point, scale - abs(point.x) - abs(point.y));
     float fold = max(-normal.z, 0.0);
-    normal.xy -= mix(vec2(-fold), vec2(fold), greaterThanEqual(normal.xy, vec2(0.0)));
+    normal.x -= normal.x >= 0.0 ? fold : -fold;
+    normal.y -= normal.y >= 0.0 ? fold : -fold;
     return normal;
 }
 
@@ -42,5 +43,5 @@ uint surface_receiver(uvec2 surface) {
 // The normal, not normalised.
 vec3 surface_direction(uvec2 surface) {
     uvec2 bits = uvec2((surface.x >> 20) & 0x3FFu, (surface.x >> 30) | ((surface.y >> 24) << 2));
-    return from_octahedral((vec2(bits) - 512.0) * (1.0 / 511.0));
+    return from_octahedral(vec2(bits) - 512.0, 511.0);
 }

@@ -4,6 +4,11 @@
 // powers, which processors round differently. Source: J. Hejl and R. Burgess-Dawson, "Filmic Tonemapping for Real-time
 // Rendering", SIGGRAPH 2010 course notes.
 vec3 display_color(vec3 light) {
-    vec3 above_toe = max(light - 0.004, 0.0);
-    return above_toe * (6.2 * above_toe + 0.5) / (above_toe * (6.2 * above_toe + 1.7) + 0.06);
+    // Brighter than this is white anyway; the product of the denominators stays finite.
+    vec3 above_toe = min(max(light - 0.004, 0.0), 1e4);
+    vec3 over = above_toe * (6.2 * above_toe + 0.5);
+    vec3 under = above_toe * (6.2 * above_toe + 1.7) + 0.06;
+    // Three fractions for the price of one division.
+    vec3 others = under.gbr * under.brg;
+    return over * others / (under.r * others.r);
 }
