@@ -43,8 +43,9 @@ vec3 local_light(LightData light, vec3 position, vec3 normal, float normal_2) {
     vec3 offset = light.position_kind.xyz - position;
     float distance_2 = max(dot(offset, offset), 1e-4);
     float window = clamp(1.0 - distance_2 * distance_2 * light.color_range.w, 0.0, 1.0);
-    float cosine = max(dot(normal, offset), 0.0) * inversesqrt(normal_2 * distance_2);
-    float strength = window * cosine / distance_2 * visibility_of(light);
+    // Cosine over squared distance, with one division.
+    float cosine_falloff = max(dot(normal, offset), 0.0) / (sqrt(normal_2 * distance_2) * distance_2);
+    float strength = window * cosine_falloff * visibility_of(light);
 #ifdef SPOTS
     float cos_angle = -dot(offset, light.direction_layer.xyz) * inversesqrt(distance_2);
     float cone = clamp(cos_angle * light.cone.x + light.cone.y, 0.0, 1.0);
