@@ -4,21 +4,18 @@
 
 #include "engine/scene/gltf.hpp"
 #include "engine/scene/world.hpp"
+#include "tests/support/assets.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 namespace {
 
-std::filesystem::path assets_folder() {
-    const char* chosen = std::getenv("GNOMON_ASSETS");
-    return chosen ? chosen : PROJECT_SOURCE_DIR "/../shared/assets";
-}
+using test_support::assets_folder;
 
 struct AssetCase {
     const char* name;
