@@ -1,6 +1,7 @@
 #include "engine/script/modules.hpp"
 
 #include "engine/script/lua_state.hpp"
+#include "engine/script/raise.hpp"
 #include "engine/script/text_file.hpp"
 
 #include <fmt/format.h>
@@ -18,14 +19,6 @@ namespace fs = std::filesystem;
 
 const char kModulesKey = 0;   ///< its address is the key of the loaded modules in the registry
 const char kArgumentsKey = 0; ///< the same for what the engine hands to modules
-
-[[noreturn]] void raise(lua_State* lua, const std::string& message) {
-    luaL_where(lua, 1);
-    lua_pushlstring(lua, message.data(), message.size());
-    lua_concat(lua, 2);
-    lua_error(lua);
-    std::abort(); // lua_error does not return
-}
 
 /// Pushes the table that the registry holds under `key`, made on first use.
 void push_table(lua_State* lua, const void* key) {

@@ -3,6 +3,7 @@
 #include "engine/core/text.hpp"
 #include "engine/script/guarded_library.hpp"
 #include "engine/script/lua_state.hpp"
+#include "engine/script/raise.hpp"
 
 #include <fmt/format.h>
 #include <lua.hpp>
@@ -52,23 +53,16 @@ std::string key_text(lua_State* lua, int index) {
     return {text, size};
 }
 
-int raise_at_caller(lua_State* lua, const std::string& message) {
-    luaL_where(lua, 1);
-    lua_pushlstring(lua, message.data(), message.size());
-    lua_concat(lua, 2);
-    return lua_error(lua);
-}
-
 int read_global(lua_State* lua) {
     push_globals(lua);
     lua_pushvalue(lua, 2);
     if (lua_rawget(lua, -2) != LUA_TNIL) return 1;
-    return raise_at_caller(lua, unknown_name(lua, key_text(lua, 2)));
+    raise(lua, unknown_name(lua, key_text(lua, 2)));
 }
 
 int write_global(lua_State* lua) {
     const std::string name = key_text(lua, 2);
-    return raise_at_caller(
+    raise(
         lua, fmt::format("'{0}' is assigned but not declared; write: local {0} = ...", name));
 }
 
