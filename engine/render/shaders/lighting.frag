@@ -5,9 +5,8 @@
 // out: constant indices are far cheaper than a loop on rasterisers that run on a CPU.
 
 #include "render/shared/bindings.h"
-#include "render/shared/lights.h"
 #include "render/include/gbuffer.glsl"
-#include "render/include/position.glsl"
+#include "render/include/held_lights.glsl"
 #include "render/include/tone_map.glsl"
 
 layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
@@ -22,6 +21,12 @@ layout(binding = UNIT_LIGHT) uniform sampler2D earlier_light;
 #endif
 
 flat in uint light_bits;
+flat in vec3 held_ambient;
+flat in vec3 held_background;
+#ifdef HELD_LIGHTS
+flat in LightData held_lights[HELD_LIGHTS];
+#endif
+noperspective in vec3 ray;
 layout(location = 0) out vec4 color;
 
 float visibility_of(LightData light) {
@@ -54,11 +59,11 @@ vec3 local_light(LightData light, vec3 position, vec3 normal, float normal_2) {
     return light.color_range.rgb * strength;
 }
 
-#define ADD_DIRECTIONAL(i) arriving += directional_light(lights[i], normal, normal_2);
-#define ADD_LOCAL(i) arriving += local_light(lights[i], position, normal, normal_2);
+#define ADD_DIRECTIONAL(i) arriving += directional_light(LIGHT(i), normal, normal_2);
+#define ADD_LOCAL(i) arriving += local_light(LIGHT(i), position, normal, normal_2);
 
 vec3 light_arriving(vec3 position, vec3 normal) {
-    vec3 arriving = ambient.rgb;
+    vec3 arriving = held_ambient;
     float normal_2 = dot(normal, normal);
 #if DIRECTIONAL_COUNT > 0
     ADD_DIRECTIONAL(0)
@@ -84,10 +89,10 @@ void main() {
     uvec2 surface = texelFetch(gbuffer, pixel, 0).xy;
     vec3 position = vec3(0.0);
 #if LOCAL_COUNT > 0
-    position = position_from_depth(texelFetch(depth_buffer, pixel, 0).r);
+    position = ray / texelFetch(depth_buffer, pixel, 0).r;
 #endif
     vec3 shown = light_arriving(position, surface_direction(surface)) * unpack_albedo(surface.y);
-    vec3 light = surface_receiver(surface) != 0u ? shown : background.rgb;
+    vec3 light = surface_receiver(surface) != 0u ? shown : held_background;
 #ifdef ADD_EARLIER
     light += texelFetch(earlier_light, pixel, 0).rgb;
 #endif
