@@ -94,6 +94,11 @@ std::string expectation(const Field& field) {
         return "a number or a list of " + count_of_numbers(field);
     case FieldType::table:
         return "a table";
+    case FieldType::points:
+        return fmt::format(
+            "a list of {} or more places, each a list of 3 numbers", field.min_count);
+    case FieldType::callback:
+        return "a function";
     }
     return {};
 }

@@ -17,14 +17,16 @@ enum class FieldType {
     number,
     integer,
     boolean,
-    text,   ///< any string
-    name,   ///< a string that may name a thing and a file: see is_name()
-    choice, ///< one of Field::words
-    words,  ///< one, or a list, of Field::words
-    vector, ///< a list of numbers, Field::min_count to max_count of them
-    scale,  ///< like vector, or one number for all of them
-    color,  ///< like vector, linear red, green, blue
-    table   ///< the fields of the kind called Field::kind
+    text,    ///< any string
+    name,    ///< a string that may name a thing and a file: see is_name()
+    choice,  ///< one of Field::words
+    words,   ///< one, or a list, of Field::words
+    vector,  ///< a list of numbers, Field::min_count to max_count of them
+    scale,   ///< like vector, or one number for all of them
+    color,   ///< like vector, linear red, green, blue
+    table,   ///< the fields of the kind called Field::kind
+    points,  ///< a list of places, each a list of three numbers; Field::min_count or more of them
+    callback ///< a function
 };
 
 /// The numbers that make sense. NaN and infinities never do.
@@ -55,6 +57,7 @@ struct Field {
     int max_count = 3;
     std::vector<std::string> words = {}; ///< allowed ones of choice and words
     std::string kind = {};               ///< of a table
+    bool live = false;                   ///< may be read and changed while the level runs
     std::string since = "0.1";           ///< version that brought it
 };
 

@@ -70,4 +70,11 @@ struct AnimationPlayer {
     std::vector<ecs::Entity> nodes; ///< entity of each Model node
 };
 
+/// Goes along a path of Assets, looking (with its +Z side) the way it goes.
+struct PathFollower {
+    std::uint32_t path = 0; ///< index into Assets::paths
+    double travelled = 0.0; ///< metres from the first point
+    float speed = 1.2F;     ///< m/s; negative goes backwards
+};
+
 } // namespace scene

@@ -56,7 +56,28 @@ struct ModelDescription {
     bool hero = false;
     std::optional<std::string> animation; ///< name of the clip to play; none: the first one, if any
     float animation_speed = 1.0F;
+    float animation_start = 0.0F;    ///< seconds into the clip at which it begins
+    std::optional<std::string> path; ///< name of the path that it goes along
+    float path_speed = 1.2F;         ///< m/s; negative goes backwards
+    float path_start = 0.0F;         ///< share of the path at which it begins, 0 to 1
     ShadowWish shadow;
+    engine::SourcePlace place;
+};
+
+/// A way through the level, for models and for the player.
+struct PathDescription {
+    std::string name;
+    std::vector<glm::dvec3> points; ///< at least two
+    bool closed = true;             ///< false: to and fro
+    engine::SourcePlace place;
+};
+
+/// Whom the person at the keys is.
+struct PlayerDescription {
+    glm::dvec3 position = {};        ///< of the feet
+    float heading = 0.0F;            ///< turn about y, radians; 0 looks along -z
+    float speed = 1.6F;              ///< m/s
+    std::optional<std::string> path; ///< what a walk without a person follows
     engine::SourcePlace place;
 };
 
@@ -80,6 +101,8 @@ struct SceneDescription {
     std::vector<CameraDescription> cameras;
     std::vector<ModelDescription> models;
     std::vector<RuleDescription> rules;
+    std::vector<PathDescription> paths;
+    std::optional<PlayerDescription> player;
     std::vector<std::string> warnings; ///< one sentence each, with its place
 };
 

@@ -46,7 +46,7 @@ public:
 
     engine::Result<void> add(const ModelDescription& model) {
         if (!model.shape.empty()) {
-            add_shape(model);
+            follow(model, add_shape(model));
             return {};
         }
         const auto assets = file_assets(model);
@@ -55,7 +55,14 @@ public:
         world_.registry.patch<Transform>(
             root, [&](Transform& transform) { transform = model.transform; });
         roles_.emplace(root, role_of(model));
+        follow(model, root);
         return play(model, **assets, root);
+    }
+
+    /// Before the models that go along them.
+    void add(const PathDescription& path) {
+        paths_.emplace(path.name, static_cast<std::uint32_t>(world_.assets.paths.size()));
+        world_.assets.paths.push_back({path.name, path.points, path.closed});
     }
 
     template <class Description, class Component>
@@ -99,7 +106,16 @@ private:
         return entity;
     }
 
-    void add_shape(const ModelDescription& model) {
+    void follow(const ModelDescription& model, ecs::Entity entity) {
+        if (!model.path) return;
+        const auto found = paths_.find(*model.path);
+        CHECK(found != paths_.end()); // whoever read the level has checked the name
+        const Path& path = world_.assets.paths[found->second];
+        const double travelled = static_cast<double>(model.path_start) * period(path);
+        world_.registry.add(entity, PathFollower{found->second, travelled, model.path_speed});
+    }
+
+    ecs::Entity add_shape(const ModelDescription& model) {
         const glm::vec4 color = model.color.value_or(glm::vec4(0.8F, 0.8F, 0.8F, 1.0F));
         const glm::vec3& size = model.size;
         const ShapeKey key{
@@ -119,6 +135,7 @@ private:
         const ecs::Entity entity = make(model.name, transform);
         world_.registry.add(entity, MeshInstance{found->second.first});
         world_.registry.add(entity, role_of(model));
+        return entity;
     }
 
     /// The file's assets, read on first use.
@@ -162,6 +179,7 @@ private:
         world_.registry.patch<AnimationPlayer>(root, [&](AnimationPlayer& player) {
             player.clip = clip;
             player.speed = model.animation_speed;
+            player.time = model.animation_start;
         });
         return {};
     }
@@ -170,6 +188,7 @@ private:
     World& world_;
     std::map<std::string, ModelAssets> files_;                       ///< by name as written
     std::map<ShapeKey, std::pair<std::uint32_t, glm::vec3>> shapes_; ///< mesh and stretch
+    std::map<std::string, std::uint32_t> paths_;                     ///< index by name
     std::unordered_map<ecs::Entity, ShadowRole> roles_;              ///< of model roots
     Warnings warnings_;
 };
@@ -181,6 +200,8 @@ engine::Result<Warnings> build_world(
     world.ambient = description.ambient;
     if (description.exposure) world.exposure = *description.exposure;
     Builder builder(folder, world);
+    for (const PathDescription& path : description.paths)
+        builder.add(path);
     for (const ModelDescription& model : description.models)
         if (const auto added = builder.add(model); !added) return added.error();
     for (const LightDescription& light : description.lights)

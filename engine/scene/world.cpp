@@ -92,6 +92,7 @@ void update_world_transforms(World& world) {
 }
 
 void update(World& world, float dt) {
+    advance_paths(world, dt);
     advance_animations(world, dt);
     update_world_transforms(world);
     pose_meshes(world);

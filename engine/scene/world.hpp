@@ -6,6 +6,7 @@
 #include "engine/core/result.hpp"
 #include "engine/scene/components.hpp"
 #include "engine/scene/model.hpp"
+#include "engine/scene/path.hpp"
 
 #include <glm/glm.hpp>
 
@@ -22,6 +23,7 @@ struct Assets {
     std::vector<Texture> textures;
     std::vector<Skin> skins;
     std::vector<AnimationClip> clips; ///< channel.node counts in the nodes of its own model
+    std::vector<Path> paths;
 };
 
 /// What update_world_transforms remembers from call to call, so that a still world costs three
@@ -76,6 +78,9 @@ ecs::Entity instantiate(World& world, const ModelAssets& model, const std::strin
 /// changed one.
 void update_world_transforms(World& world);
 
+/// Moves every PathFollower on by dt seconds and writes its Transform.
+void advance_paths(World& world, float dt);
+
 /// Advances every AnimationPlayer by dt seconds (0 re-samples) and writes Transforms and
 /// MorphWeights.
 void advance_animations(World& world, float dt);
@@ -85,7 +90,7 @@ void advance_animations(World& world, float dt);
 /// world_from_local * position is the glTF result (which ignores the node's own transform).
 void pose_meshes(World& world);
 
-/// The three above in their order: what a frame needs before anything reads the world.
+/// The four above in their order, paths first: what a frame needs before anything reads the world.
 void update(World& world, float dt);
 
 /// Bounds of an entity's mesh in the world, posed if it deforms. Empty when it has no mesh.

@@ -16,6 +16,7 @@ LAYERS = [
     ("gpu", ["engine/gpu/*"]),
     ("scene", ["engine/scene/*"]),
     ("trace", ["engine/trace/*"]),
+    ("play", ["engine/play/*"]),
     ("render", ["engine/render/*"]),
     ("script", ["engine/script/*"]),
     ("app", ["engine/app/*"]),
@@ -31,13 +32,14 @@ LAYERS = [
 
 # What a layer may include besides itself. A technique's own exception stands in check_include.
 SHADOWS_BELOW = {"shadows_core", "gpu", "render", "script", "trace", "scene", "core", "ecs"}
-ENGINE = {"gpu", "scene", "trace", "render", "script", "app", "core", "ecs"}
+ENGINE = {"gpu", "scene", "trace", "play", "render", "script", "app", "core", "ecs"}
 MAY_INCLUDE = {
     "ecs": set(),
     "core": set(),
     "gpu": {"core"},
     "scene": {"core", "ecs"},
     "trace": {"scene", "core", "ecs"},
+    "play": {"scene", "core", "ecs"},
     "render": {"gpu", "scene", "core", "ecs"},
     "script": {"scene", "core", "ecs"},
     "app": ENGINE,
