@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <span>
 #include <tuple>
@@ -75,42 +76,79 @@ bucket_of(const scene::Submesh& submesh, const scene::Material& material, bool m
     return bucket;
 }
 
-/// Commands of each bucket while a list grows.
-using Buckets = std::map<DrawBucket, std::vector<DrawCommand>>;
+/// The state that a submesh of an item needs, or none when it is not drawn.
+using BucketOf = std::function<std::optional<DrawBucket>(
+    const DrawItem& item, const scene::Submesh& submesh, const scene::Material& material)>;
 
-void add_draws(
-    std::span<const DrawItem* const> visible,
-    const scene::Assets& assets,
-    const GeometryPool& pool,
-    const glm::dvec3& origin,
-    Buckets& buckets,
-    DrawList& list) {
-    const DrawItem& first = *visible.front();
-    for (const scene::Submesh& submesh : assets.meshes[first.mesh].submeshes) {
-        const scene::Material& material = assets.materials[submesh.material];
-        // A material that is a hole everywhere draws nothing.
-        if (material.alpha_masked && material.base_color.a < material.alpha_cutoff) continue;
-        DrawCommand command;
-        command.index_count = submesh.index_count;
-        command.instance_count = static_cast<std::uint32_t>(visible.size());
-        command.first_index = pool.slot(first.mesh).first_index + submesh.first_index;
-        command.base_vertex = first.base_vertex;
-        command.first_instance = static_cast<std::uint32_t>(list.instances.size());
-        for (const DrawItem* item : visible)
-            list.instances.push_back(instance_of(*item, material, origin));
-        buckets[bucket_of(submesh, material, first.mirrored)].push_back(command);
+/// A list while it grows: equal neighbours become one instanced draw.
+class ListBuilder {
+public:
+    ListBuilder(const scene::Assets& assets, const GeometryPool& pool, const glm::dvec3& origin)
+        : assets_(assets),
+          pool_(pool),
+          origin_(origin) {}
+
+    /// @param same items that share one draw
+    void add(std::span<const DrawItem* const> same, const BucketOf& bucket_of_submesh) {
+        const DrawItem& first = *same.front();
+        for (const scene::Submesh& submesh : assets_.meshes[first.mesh].submeshes) {
+            const scene::Material& material = assets_.materials[submesh.material];
+            // A material that is a hole everywhere draws nothing.
+            if (material.alpha_masked && material.base_color.a < material.alpha_cutoff) continue;
+            const auto bucket = bucket_of_submesh(first, submesh, material);
+            if (!bucket) continue;
+            DrawCommand command;
+            command.index_count = submesh.index_count;
+            command.instance_count = static_cast<std::uint32_t>(same.size());
+            command.first_index = pool_.slot(first.mesh).first_index + submesh.first_index;
+            command.base_vertex = first.base_vertex;
+            command.first_instance = static_cast<std::uint32_t>(list_.instances.size());
+            for (const DrawItem* item : same)
+                list_.instances.push_back(instance_of(*item, material, origin_));
+            buckets_[*bucket].push_back(command);
+        }
     }
+
+    DrawList finish() {
+        for (const auto& [bucket, commands] : buckets_) {
+            DrawList::Run run{bucket, static_cast<std::uint32_t>(list_.commands.size()), 0, 0};
+            run.command_count = static_cast<std::uint32_t>(commands.size());
+            for (const DrawCommand& command : commands)
+                if (bucket.topology == scene::Topology::triangles)
+                    run.triangles +=
+                        std::uint64_t{command.index_count} / 3 * command.instance_count;
+            list_.commands.insert(list_.commands.end(), commands.begin(), commands.end());
+            list_.runs.push_back(run);
+        }
+        return std::move(list_);
+    }
+
+private:
+    const scene::Assets& assets_;
+    const GeometryPool& pool_;
+    glm::dvec3 origin_;
+    std::map<DrawBucket, std::vector<DrawCommand>> buckets_;
+    DrawList list_;
+};
+
+bool contains(const engine::WorldAabb& box, const glm::dvec3& point) {
+    return glm::all(glm::greaterThanEqual(point, box.min))
+           && glm::all(glm::lessThanEqual(point, box.max));
 }
 
-void close_runs(const Buckets& buckets, DrawList& list) {
-    for (const auto& [bucket, commands] : buckets) {
-        DrawList::Run run{bucket, static_cast<std::uint32_t>(list.commands.size()), 0, 0};
-        run.command_count = static_cast<std::uint32_t>(commands.size());
-        for (const DrawCommand& command : commands)
-            if (bucket.topology == scene::Topology::triangles)
-                run.triangles += std::uint64_t{command.index_count} / 3 * command.instance_count;
-        list.commands.insert(list.commands.end(), commands.begin(), commands.end());
-        list.runs.push_back(run);
+/// Adds runs of neighbours that `same` holds for.
+template <class Same>
+void add_all(
+    ListBuilder& builder,
+    std::span<const DrawItem* const> items,
+    const BucketOf& bucket_of_submesh,
+    Same same) {
+    for (std::size_t first = 0; first < items.size();) {
+        std::size_t end = first + 1;
+        while (end < items.size() && same(*items[first], *items[end]))
+            ++end;
+        builder.add(items.subspan(first, end - first), bucket_of_submesh);
+        first = end;
     }
 }
 
@@ -129,28 +167,55 @@ void DrawItems::sync(
     });
 }
 
-DrawList build_draw_list(
-    const std::vector<DrawItem>& items,
-    const scene::Assets& assets,
-    const GeometryPool& pool,
+std::vector<const DrawItem*> visible_items(
+    std::span<const DrawItem> items,
     const glm::dvec3& origin,
     const glm::mat4& clip_from_relative) {
     const engine::Frustum frustum = engine::frustum_from_clip(clip_from_relative);
-    DrawList list;
-    Buckets buckets;
     std::vector<const DrawItem*> visible;
-    const auto flush = [&] {
-        if (!visible.empty()) add_draws(visible, assets, pool, origin, buckets, list);
-        visible.clear();
+    for (const DrawItem& item : items)
+        if (frustum.intersects(engine::relative_to(item.bounds, origin))) visible.push_back(&item);
+    return visible;
+}
+
+DrawList build_draw_list(
+    std::span<const DrawItem* const> items,
+    const scene::Assets& assets,
+    const GeometryPool& pool,
+    const glm::dvec3& origin) {
+    ListBuilder builder(assets, pool, origin);
+    const BucketOf surface =
+        [](const DrawItem& item, const scene::Submesh& submesh, const scene::Material& material) {
+            return std::optional(bucket_of(submesh, material, item.mirrored));
+        };
+    add_all(builder, items, surface, same_draw);
+    return builder.finish();
+}
+
+DrawList build_caster_list(
+    std::span<const DrawItem* const> items,
+    const scene::Assets& assets,
+    const GeometryPool& pool,
+    const glm::dvec3& origin,
+    const std::optional<glm::dvec3>& eye) {
+    const auto one_sided = [&](const DrawItem& item) {
+        return assets.meshes[item.mesh].health.closed() && !(eye && contains(item.bounds, *eye));
     };
-    for (const DrawItem& item : items) {
-        if (!frustum.intersects(engine::relative_to(item.bounds, origin))) continue;
-        if (!visible.empty() && !same_draw(*visible.front(), item)) flush();
-        visible.push_back(&item);
-    }
-    flush();
-    close_runs(buckets, list);
-    return list;
+    const BucketOf caster = [&](const DrawItem& item,
+                                const scene::Submesh& submesh,
+                                const scene::Material& material) -> std::optional<DrawBucket> {
+        if (submesh.topology != scene::Topology::triangles) return std::nullopt;
+        DrawBucket bucket = bucket_of(submesh, material, item.mirrored);
+        if (!bucket.alpha_masked) bucket.texture = scene::kNoTexture;
+        bucket.double_sided = bucket.alpha_masked || !one_sided(item);
+        if (bucket.double_sided) bucket.mirrored = false;
+        return bucket;
+    };
+    ListBuilder builder(assets, pool, origin);
+    add_all(builder, items, caster, [&](const DrawItem& a, const DrawItem& b) {
+        return same_draw(a, b) && one_sided(a) == one_sided(b);
+    });
+    return builder.finish();
 }
 
 } // namespace render

@@ -9,6 +9,8 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace render {
@@ -82,14 +84,28 @@ struct DrawList {
     std::vector<InstanceData> instances;
 };
 
-/// The draws of one view.
-/// @param origin what positions are relative to, world space
-/// @param clip_from_relative projection; instances outside its frustum are left out
+/// Items whose bounds meet the frustum of a projection, in their order.
+/// @param origin what clip_from_relative is relative to, world space
+std::vector<const DrawItem*> visible_items(
+    std::span<const DrawItem> items, const glm::dvec3& origin, const glm::mat4& clip_from_relative);
+
+/// The draws of some items, with everything that they show.
+/// @param items in the order of DrawItems::all
+/// @param origin what instances are placed relative to, world space
 DrawList build_draw_list(
-    const std::vector<DrawItem>& items,
+    std::span<const DrawItem* const> items,
+    const scene::Assets& assets,
+    const GeometryPool& pool,
+    const glm::dvec3& origin);
+
+/// The draws of casters as a light sees them: triangles only, textures only where they have holes,
+/// and of closed meshes the side that faces the light alone.
+/// @param eye where the light is: a mesh round it shows its inside; none for a directional light
+DrawList build_caster_list(
+    std::span<const DrawItem* const> items,
     const scene::Assets& assets,
     const GeometryPool& pool,
     const glm::dvec3& origin,
-    const glm::mat4& clip_from_relative);
+    const std::optional<glm::dvec3>& eye);
 
 } // namespace render

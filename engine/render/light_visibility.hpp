@@ -7,6 +7,7 @@
 #include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
+#include "engine/render/geometry.hpp"
 #include "engine/scene/camera.hpp"
 #include "engine/scene/light.hpp"
 #include "engine/scene/receivers.hpp"
@@ -20,9 +21,12 @@ namespace render {
 /// (blend min).
 struct VisibilityTarget {
     const gpu::Framebuffer& mask; ///< colour only
-    const gpu::Texture& gbuffer;  ///< rg32ui, as include/gbuffer.glsl packs it
-    const gpu::Texture& depth;    ///< reversed; not attached to `mask`
-    gpu::Rect area;               ///< what of the mask will be read: touch nothing else
+    /// The same with the frame's depth and stencil; null unless needs_stencil(). The stencil is 0
+    /// everywhere, and whoever writes it leaves it so.
+    const gpu::Framebuffer* mask_with_stencil;
+    const gpu::Texture& gbuffer; ///< rg32ui, as include/gbuffer.glsl packs it
+    const gpu::Texture& depth;   ///< reversed; not attached to `mask`
+    gpu::Rect area;              ///< what of the mask will be read: touch nothing else
 };
 
 /// What a frame is drawn from.
@@ -46,7 +50,8 @@ public:
     /// as large.
     [[nodiscard]] virtual bool needs_stencil() const { return false; }
     /// GPU: redraws what the masks are made from. Errors: a shader that does not compile.
-    virtual engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) = 0;
+    virtual engine::Result<void>
+    refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const Geometry& geometry) = 0;
     /// GPU: lowers the light's mask. @pre serves(light)
     virtual void apply(gpu::Frame& frame, std::size_t light, const VisibilityTarget& target) = 0;
 };

@@ -77,7 +77,10 @@ engine::Result<void> Renderer::draw_frame(
     if (auto drawn = draw_geometry(frame_, shaders_, *gbuffer_, textures_, draws_, list_); !drawn)
         return drawn;
     if (visibility != nullptr)
-        if (auto refreshed = visibility->refresh(frame_, shaders_); !refreshed) return refreshed;
+        if (auto refreshed =
+                visibility->refresh(frame_, shaders_, {world, pool_, textures_, items_.all()});
+            !refreshed)
+            return refreshed;
     return light_frame(input, visibility, target, settings);
 }
 
@@ -94,8 +97,8 @@ void Renderer::upload_view(const scene::World& world, const scene::CameraView& c
     const FrameConstants constants = constants_of(camera);
     frame_constants_.assign(gpu::bytes_of_value(constants));
     frame_constants_.bind_uniform(FRAME_BINDING);
-    list_ = build_draw_list(
-        items_.all(), world.assets, pool_, camera.position, constants.clip_from_relative);
+    const auto visible = visible_items(items_.all(), camera.position, constants.clip_from_relative);
+    list_ = build_draw_list(visible, world.assets, pool_, camera.position);
     draws_.upload(list_);
 }
 
@@ -142,8 +145,17 @@ void Renderer::draw_masks(const LightBatch& batch, LightVisibility& visibility) 
         const gpu::Framebuffer& mask = masks_.targets[static_cast<std::size_t>(*entry.layer)];
         gpu::clear_target(frame_, mask, {.color = glm::vec4(1.0F), .area = entry.area});
         visibility.apply(
-            frame_, entry.light, {mask, gbuffer_->surface(), gbuffer_->depth(), entry.area});
+            frame_, entry.light, mask_target(static_cast<std::size_t>(*entry.layer), entry.area));
     }
+}
+
+VisibilityTarget Renderer::mask_target(std::size_t layer, const gpu::Rect& area) const {
+    return {
+        masks_.targets[layer],
+        masks_.with_stencil.empty() ? nullptr : &masks_.with_stencil[layer],
+        gbuffer_->surface(),
+        gbuffer_->depth(),
+        area};
 }
 
 engine::Result<engine::Image> Renderer::draw_mask(std::size_t light, LightVisibility& visibility) {
@@ -151,9 +163,7 @@ engine::Result<engine::Image> Renderer::draw_mask(std::size_t light, LightVisibi
     const gpu::Framebuffer& mask = masks_.targets.front();
     frame_.begin();
     gpu::clear_target(frame_, mask, {.color = glm::vec4(1.0F)});
-    if (visibility.serves(light))
-        visibility.apply(
-            frame_, light, {mask, gbuffer_->surface(), gbuffer_->depth(), mask.whole()});
+    if (visibility.serves(light)) visibility.apply(frame_, light, mask_target(0, mask.whole()));
     frame_.end();
     return gpu::read_image(masks_.texture);
 }
@@ -188,6 +198,12 @@ engine::Result<void> Renderer::reserve_masks(int layers) {
             fmt::format("mask {}", layer), {.colors = {{&made.texture, 0, layer}}});
         if (!target) return target.error();
         made.targets.push_back(*std::move(target));
+        if (!gpu::traits(gbuffer_->depth().format()).stencil) continue;
+        auto with_stencil = gpu::Framebuffer::make(
+            fmt::format("mask {} with stencil", layer),
+            {.colors = {{&made.texture, 0, layer}}, .depth = gpu::Attachment{&gbuffer_->depth()}});
+        if (!with_stencil) return with_stencil.error();
+        made.with_stencil.push_back(*std::move(with_stencil));
     }
     masks_ = std::move(made);
     return {};

@@ -52,7 +52,8 @@ private:
     /// One mask layer, as a texture to read and a target to lower.
     struct MaskLayers {
         gpu::Texture texture;
-        std::vector<gpu::Framebuffer> targets; ///< one per layer
+        std::vector<gpu::Framebuffer> targets;      ///< one per layer
+        std::vector<gpu::Framebuffer> with_stencil; ///< the same; empty without a stencil
     };
 
     engine::Result<void> draw_frame(
@@ -67,6 +68,7 @@ private:
     engine::Result<void> resize(int width, int height, bool with_stencil);
     engine::Result<void> reserve_masks(int layers);
     void draw_masks(const LightBatch& batch, LightVisibility& visibility);
+    [[nodiscard]] VisibilityTarget mask_target(std::size_t layer, const gpu::Rect& area) const;
     engine::Result<void> light_frame(
         const FrameInput& input,
         LightVisibility* visibility,

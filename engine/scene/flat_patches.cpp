@@ -249,6 +249,7 @@ void assign_vertices(Mesh& mesh, std::span<const std::uint8_t> patch_of_index) {
 
 void split_flat_patches(Mesh& mesh) {
     mesh.patches.clear();
+    mesh.has_rest = true;
     mesh.patch_ids.assign(mesh.positions.size(), 0);
     if (mesh.deforms()) return;
 
@@ -261,6 +262,8 @@ void split_flat_patches(Mesh& mesh) {
         for (const std::uint32_t triangle : region.triangles)
             std::fill_n(patch_of_index.begin() + surface.first_index[triangle], 3, id);
     }
+    mesh.has_rest =
+        std::find(patch_of_index.begin(), patch_of_index.end(), 0) != patch_of_index.end();
     assign_vertices(mesh, patch_of_index);
 }
 

@@ -66,6 +66,7 @@ struct Mesh {
     std::vector<float> morph_weights; ///< defaults, one per target
     engine::Aabb bounds;              ///< of the positions that indices use
     std::vector<FlatPatch> patches;   ///< at most kMaxPatches
+    bool has_rest = true;             ///< some of the mesh lies in no patch
     MeshHealth health;                ///< of all triangles together
 
     [[nodiscard]] bool deforms() const { return !influences.empty() || !morph_targets.empty(); }

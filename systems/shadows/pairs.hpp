@@ -23,6 +23,8 @@ struct PairView {
     const ShadowScene& scene;
     const LightView& light;
     const ReceiverView& receiver;
+    const scene::ShadowWish& wish; ///< resolved for the pair
+    double budget_px;              ///< the error that is accepted
 };
 
 /// True when a caster inside `caster` can darken a point inside `receiver`: the caster's bounds,

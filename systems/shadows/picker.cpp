@@ -94,13 +94,13 @@ Plan pick_pair(
     const PairView& view,
     const Pair& pair,
     const FramePlan::LightGroups& light,
-    const scene::ShadowWish& wish,
     const Techniques& techniques,
     const DeviceProfile& profile) {
+    const scene::ShadowWish& wish = view.wish;
     Plan plan;
     plan.light = view.light.id;
     plan.receiver = view.receiver.id;
-    plan.budget_px = budget_of(wish, pair, light);
+    plan.budget_px = view.budget_px;
     std::vector<Option> options;
     for (const auto& technique : techniques) {
         const TechniqueTraits& traits = technique->traits();
@@ -152,8 +152,13 @@ FramePlan pick(
                 glm::clamp(scene.camera.position, receiver.bounds.min, receiver.bounds.max);
             const double distance = glm::length(nearest - scene.camera.position);
             const scene::ShadowWish wish = settings.resolve(light, receiver.name, distance);
+            const double budget_px = budget_of(wish, pair, frame.groups.back());
             frame.plans.push_back(pick_pair(
-                {scene, light, receiver}, pair, frame.groups.back(), wish, techniques, profile));
+                {scene, light, receiver, wish, budget_px},
+                pair,
+                frame.groups.back(),
+                techniques,
+                profile));
         }
     }
     return frame;

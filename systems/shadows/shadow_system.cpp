@@ -99,7 +99,7 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
         const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{
-            scene_, running.light, groups, running.plans, receiver_end, wish, ask_truth};
+            scene_, running.light, groups, running.plans, receiver_end, wish, remedies, ask_truth};
         if (auto updated = running.job->update(request); !updated) return updated;
         running.drawn_for = std::move(wanted);
         due_.push_back(&running);
@@ -117,9 +117,17 @@ bool ShadowSystem::serves(std::size_t light) const {
         jobs_.begin(), jobs_.end(), [&](const auto& entry) { return entry.second.light == light; });
 }
 
-engine::Result<void> ShadowSystem::refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) {
+bool ShadowSystem::needs_stencil() const {
+    return std::any_of(jobs_.begin(), jobs_.end(), [](const auto& entry) {
+        return entry.second.job->needs_stencil();
+    });
+}
+
+engine::Result<void> ShadowSystem::refresh(
+    gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geometry& geometry) {
     for (RunningJob* running : due_)
-        if (auto rendered = running->job->render(frame, shaders); !rendered) return rendered;
+        if (auto rendered = running->job->render(frame, shaders, geometry); !rendered)
+            return rendered;
     return {};
 }
 

@@ -24,12 +24,16 @@ public:
     explicit ShadowSystem(DeviceProfile profile = llvmpipe_profile());
 
     ShadowSettings settings;
+    /// For tests of what each is there for.
+    Remedies remedies;
     /// Every job is redrawn in every frame, so that no cache flatters a timing.
     bool always_refresh = false;
 
     engine::Result<void> prepare(const render::FrameInput& input) override;
     [[nodiscard]] bool serves(std::size_t light) const override;
-    engine::Result<void> refresh(gpu::Frame& frame, gpu::ShaderLibrary& shaders) override;
+    [[nodiscard]] bool needs_stencil() const override;
+    engine::Result<void> refresh(
+        gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geometry& geometry) override;
     void
     apply(gpu::Frame& frame, std::size_t light, const render::VisibilityTarget& target) override;
 

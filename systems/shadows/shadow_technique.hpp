@@ -9,6 +9,7 @@
 #include "engine/core/result.hpp"
 #include "systems/shadows/pairs.hpp"
 #include "systems/shadows/plan.hpp"
+#include "systems/shadows/remedies.hpp"
 
 #include <functional>
 #include <memory>
@@ -21,8 +22,9 @@ class Frame;
 class ShaderLibrary;
 } // namespace gpu
 namespace render {
+struct Geometry;
 struct VisibilityTarget;
-}
+} // namespace render
 namespace trace {
 class TraceScene;
 }
@@ -43,6 +45,7 @@ struct ShadowRequest {
     std::span<const Plan* const> plans;  ///< the light's plans that name this job's technique
     std::uint32_t receiver_end = 0;      ///< one past the highest receiver id
     const scene::ShadowWish& wish;       ///< scene, light and overriding wishes
+    const Remedies& remedies;
     const std::function<const trace::TraceScene&()>&
         truth; ///< ray queries, built by the first call of a frame
 };
@@ -56,12 +59,15 @@ public:
     virtual engine::Result<void> update(const ShadowRequest& request) = 0;
     /// GPU, per refresh: draws maps and textures, and fetches what apply() needs.
     /// Errors: a shader that does not compile.
-    virtual engine::Result<void> render(gpu::Frame& frame, gpu::ShaderLibrary& shaders) = 0;
+    virtual engine::Result<void>
+    render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geometry& geometry) = 0;
     /// GPU, each frame: lowers the mask where its receivers are.
     virtual void apply(
         gpu::Frame& frame,
         const scene::CameraView& camera,
         const render::VisibilityTarget& target) = 0;
+    /// Whether apply() works with the stencil.
+    [[nodiscard]] virtual bool needs_stencil() const { return false; }
     /// Device memory that the job holds, for stats.json.
     [[nodiscard]] virtual std::size_t gpu_bytes() const { return 0; }
 };

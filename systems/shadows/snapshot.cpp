@@ -60,6 +60,7 @@ void add_receivers(
         world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
     const std::string name = name_of(world, range.entity);
     for (std::uint32_t part = 0; part < range.count; ++part) {
+        if (part == 0 && range.count > 1 && !mesh.has_rest) continue;
         ReceiverView receiver;
         receiver.id = range.first + part;
         receiver.entity = range.entity.value;

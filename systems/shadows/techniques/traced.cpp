@@ -43,7 +43,10 @@ public:
         return {};
     }
 
-    engine::Result<void> render(gpu::Frame& /*frame*/, gpu::ShaderLibrary& shaders) override {
+    engine::Result<void> render(
+        gpu::Frame& /*frame*/,
+        gpu::ShaderLibrary& shaders,
+        const render::Geometry& /*geometry*/) override {
         const auto program = shaders.graphics("gpu/fullscreen.vert", "shadows/traced.frag");
         if (!program) return program.error();
         program_ = *program;

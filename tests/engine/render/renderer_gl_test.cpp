@@ -232,7 +232,10 @@ class HalfDark final : public LightVisibility {
 public:
     engine::Result<void> prepare(const FrameInput&) override { return {}; }
     [[nodiscard]] bool serves(std::size_t light) const override { return light == 0; }
-    engine::Result<void> refresh(gpu::Frame&, gpu::ShaderLibrary&) override { return {}; }
+    engine::Result<void>
+    refresh(gpu::Frame&, gpu::ShaderLibrary&, const render::Geometry&) override {
+        return {};
+    }
     void apply(gpu::Frame& frame, std::size_t, const VisibilityTarget& target) override {
         gpu::clear_target(
             frame,

@@ -102,7 +102,18 @@ TEST(Snapshot, RolesAreKept) {
     ASSERT_EQ(scene.casters.size(), 1U);
     EXPECT_EQ(scene.casters[0].name, "solid");
     EXPECT_TRUE(scene.casters[0].closed);
-    EXPECT_EQ(receiver(scene, "solid").entity, scene.casters[0].id);
+    EXPECT_EQ(receiver(scene, "solid#1").entity, scene.casters[0].id);
+}
+
+TEST(Snapshot, ABoxIsItsSixSidesAndNothingElse) {
+    BoxWorld boxes;
+    boxes.add("box", {0, 0, 0});
+
+    const ShadowScene scene = boxes.snapshot();
+
+    ASSERT_EQ(scene.receivers.size(), 6U);
+    for (const ReceiverView& side : scene.receivers)
+        EXPECT_TRUE(side.flat) << side.name;
 }
 
 TEST(ReceiverTable, IdsNameEntityAndPatchBothWays) {
