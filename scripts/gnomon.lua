@@ -10,6 +10,9 @@ for word, constructor in pairs(native.constructors) do
   words[word] = constructor
 end
 
+-- The world of a running level: see on_update.
+words.world = native.world
+
 -- The exact sRGB decoding of one channel, 0..255. Source: IEC 61966-2-1.
 local function linear(channel)
   local c = channel / 255

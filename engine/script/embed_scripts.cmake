@@ -1,9 +1,10 @@
-# embed_scripts(<output> <module>...): writes scripts/<module>.lua into a C++ file, so that programs
+# embed_scripts(<output> <module>...): writes scripts/<module>.lua (dots are folders) into a C++ file, so that programs
 # need no files beside them.
 function(embed_scripts output)
     set(rows "")
     foreach(module IN LISTS ARGN)
-        set(file "${PROJECT_SOURCE_DIR}/scripts/${module}.lua")
+        string(REPLACE "." "/" path "${module}")
+        set(file "${PROJECT_SOURCE_DIR}/scripts/${path}.lua")
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
         file(READ "${file}" text)
         string(APPEND rows "    if (name == \"${module}\") return R\"lua(${text})lua\";\n")

@@ -111,10 +111,16 @@ engine::Result<void> LuaState::load(std::string_view text, const std::string& na
     return engine::Error{loaded.error().message, {name, 0}};
 }
 
+void LuaState::limit_calls(const LuaLimits& limits) {
+    limits_.instructions = limits.instructions;
+    limits_.seconds = limits.seconds;
+}
+
 engine::Result<void> LuaState::call(int argument_count, int result_count) {
     instructions_left_ = limits_.instructions;
     deadline_ = processor_seconds() + limits_.seconds;
     overrun_ = {};
+    traceback_.clear();
     lua_sethook(lua(), &LuaState::count_hook, LUA_MASKCOUNT, kHookInterval);
 
     const int handler = lua_gettop(lua()) - argument_count;
@@ -144,6 +150,9 @@ std::optional<engine::Error> LuaState::placed_error(std::string_view message) co
 /// Turns whatever was raised into text that starts with a place, if any function of the stack has
 /// one.
 int LuaState::handle_message(lua_State* lua) {
+    luaL_traceback(lua, lua, nullptr, 1);
+    of(lua).traceback_ = lua_tostring(lua, -1);
+    lua_pop(lua, 1);
     const char* text = lua_type(lua, 1) == LUA_TSTRING ? lua_tostring(lua, 1) : nullptr;
     if (text == nullptr && luaL_callmeta(lua, 1, "__tostring") != 0) text = lua_tostring(lua, -1);
     if (text == nullptr)

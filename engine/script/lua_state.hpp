@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 struct lua_State;
@@ -56,6 +57,12 @@ public:
     /// caught by the script.
     engine::Result<void> call(int argument_count, int result_count);
 
+    /// From now on each call may use these instructions and seconds; the memory cap stays.
+    void limit_calls(const LuaLimits& limits);
+
+    /// The stack where the last call failed, a line each; empty when it did not fail.
+    [[nodiscard]] const std::string& traceback() const { return traceback_; }
+
     /// Makes `name` a global of all scripts; takes the value from the top of the stack.
     void set_global(const std::string& name);
 
@@ -73,6 +80,9 @@ public:
     [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
     /// What the script printed, a line each; at most 1000 lines.
     [[nodiscard]] const std::vector<std::string>& output() const { return output_; }
+
+    /// The same, and forgets it.
+    std::vector<std::string> take_output() { return std::exchange(output_, {}); }
 
     /// Raises a Lua error when the running call is over its time; for library functions that take
     /// long.
@@ -104,9 +114,10 @@ private:
     double deadline_ = 0.0; ///< seconds of processor time
     engine::Error
         overrun_; ///< the first limit that the running call passed; message empty when none
+    std::string traceback_;
     std::map<std::string, std::string> sources_;
     std::map<std::string, std::string, std::less<>>
-        chunk_names_; ///< as Lua prints them, to names in sources_
+        chunk_names_;                  ///< as Lua prints them, to names in sources_
     std::vector<std::filesystem::path> files_;
     std::vector<std::string> output_;
     std::filesystem::path folder_;

@@ -41,11 +41,15 @@ bool is_module_name(std::string_view name) {
            && name.find("..") == std::string_view::npos;
 }
 
+/// "parts.walls": parts/walls.lua.
+std::string relative_file(std::string name) {
+    std::replace(name.begin(), name.end(), '.', '/');
+    return name + ".lua";
+}
+
 /// Pushes the compiled module that lies below `folder`.
 void load_file(lua_State* lua, const fs::path& folder, const std::string& name) {
-    std::string relative = name;
-    std::replace(relative.begin(), relative.end(), '.', '/');
-    const fs::path file = folder / (relative + ".lua");
+    const fs::path file = folder / relative_file(name);
     std::error_code failed;
     if (!fs::is_regular_file(file, failed))
         raise(lua, fmt::format("no module '{}': there is no file {}", name, file.generic_string()));
@@ -68,7 +72,7 @@ void load_file(lua_State* lua, const fs::path& folder, const std::string& name) 
 void load_module(lua_State* lua, const std::string& name) {
     LuaState& state = LuaState::of(lua);
     if (const auto shipped = shipped_module(name)) {
-        state.load_or_raise(lua, *shipped, "scripts/" + name + ".lua");
+        state.load_or_raise(lua, *shipped, "scripts/" + relative_file(name));
     } else if (state.module_folder() != nullptr) {
         load_file(lua, *state.module_folder(), name);
     } else {

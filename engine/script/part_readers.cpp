@@ -1,9 +1,11 @@
 #include "engine/script/part_readers.hpp"
 
 #include "engine/scene/framing.hpp"
+#include "engine/scene/turns.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace script {
@@ -54,11 +56,7 @@ towards(TableReader& reader, std::string_view field, const glm::dvec3& direction
 
 /// x, y, z turns in degrees, yaw after pitch after roll.
 glm::quat read_rotation(TableReader& reader) {
-    const glm::dvec3 turns = glm::radians(reader.vector("rotation"));
-    const glm::dquat yaw = glm::angleAxis(turns.y, glm::dvec3(0.0, 1.0, 0.0));
-    const glm::dquat pitch = glm::angleAxis(turns.x, glm::dvec3(1.0, 0.0, 0.0));
-    const glm::dquat roll = glm::angleAxis(turns.z, glm::dvec3(0.0, 0.0, 1.0));
-    return glm::normalize(glm::quat(yaw * pitch * roll));
+    return scene::turned_by(glm::radians(reader.vector("rotation")));
 }
 
 void read_light_shadow(TableReader& reader, scene::LightDescription& light) {
@@ -133,6 +131,16 @@ void read_body(TableReader& reader, scene::ModelDescription& model) {
         1.0F);
 }
 
+/// How a model goes along a path.
+void read_way(TableReader& reader, scene::ModelDescription& model) {
+    model.path = reader.text("path");
+    model.path_speed = static_cast<float>(reader.number("path_speed"));
+    model.path_start = static_cast<float>(reader.number("path_start"));
+    if (!model.path) return;
+    for (const char* field : {"position", "rotation"})
+        if (reader.has(field)) reader.complain(field, "is said besides path, which decides it");
+}
+
 } // namespace
 
 scene::ShadowWish read_shadow(TableReader& reader) {
@@ -187,11 +195,13 @@ scene::ModelDescription read_model(TableReader& reader) {
     model.transform.scale = glm::vec3(reader.vector("scale"));
     if (model.transform.scale.x * model.transform.scale.y * model.transform.scale.z == 0.0F)
         reader.complain("scale", "has a factor 0, expected none: the model would have no volume");
+    read_way(reader, model);
     model.casts = reader.boolean("casts");
     model.receives = reader.boolean("receives");
     model.hero = reader.boolean("hero");
     model.animation = reader.text("animation");
     model.animation_speed = static_cast<float>(reader.number("animation_speed"));
+    model.animation_start = static_cast<float>(reader.number("animation_start"));
     if (model.animation && !model.shape.empty())
         reader.complain("animation", "is for files; shapes stand still");
     model.shadow = read_shadow(reader);
@@ -234,6 +244,31 @@ scene::RuleDescription read_rule(TableReader& reader) {
             "", "asks for nothing; expected a technique, never, error_px or another wish");
     reader.finish();
     return rule;
+}
+
+scene::PathDescription read_path(TableReader& reader) {
+    scene::PathDescription path;
+    path.name = read_name(reader);
+    path.place = reader.subject().place;
+    path.points = reader.points("points");
+    path.closed = reader.boolean("closed");
+    if (!reader.has("points")) reader.complain("points", "is missing, expected two or more places");
+    const auto differs = [&](const glm::dvec3& point) { return point != path.points.front(); };
+    if (!path.points.empty() && std::none_of(path.points.begin(), path.points.end(), differs))
+        reader.complain("points", "are all the same place, expected a way");
+    reader.finish();
+    return path;
+}
+
+scene::PlayerDescription read_player(TableReader& reader) {
+    scene::PlayerDescription player;
+    player.place = reader.subject().place;
+    player.position = reader.vector("position");
+    player.heading = radians(reader.number("heading"));
+    player.speed = static_cast<float>(reader.number("speed"));
+    player.path = reader.text("path");
+    reader.finish();
+    return player;
 }
 
 } // namespace script

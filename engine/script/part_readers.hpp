@@ -15,6 +15,8 @@ scene::LightDescription read_lamp(TableReader& reader);
 scene::ModelDescription read_model(TableReader& reader);
 scene::CameraDescription read_camera(TableReader& reader);
 scene::RuleDescription read_rule(TableReader& reader);
+scene::PathDescription read_path(TableReader& reader);
+scene::PlayerDescription read_player(TableReader& reader);
 
 /// The wishes in field "shadow".
 scene::ShadowWish read_shadow(TableReader& reader);

@@ -1,5 +1,6 @@
 #include "engine/script/scene_loader.hpp"
 
+#include "engine/script/presets.hpp"
 #include "engine/script/report.hpp"
 #include "engine/script/scene_reader.hpp"
 #include "engine/script/text_file.hpp"
@@ -16,16 +17,14 @@ namespace fs = std::filesystem;
 
 /// Runs the level and reads what it returned.
 scene::SceneDescription
-run(LuaState& state,
-    std::string_view text,
-    const std::string& name,
-    const engine::Schema& schema,
-    Report& report) {
-    const Vocabulary vocabulary(state, schema);
+run(LevelScript& script, std::string_view text, const std::string& name, Report& report) {
+    LuaState& state = script.state();
+    const Vocabulary& vocabulary = script.vocabulary();
     engine::Result<void> done = state.load(text, name);
     if (done) done = state.call(0, 1);
     engine::Result<Value> value =
         done ? vocabulary.copy_result() : engine::Result<Value>(done.error());
+    if (value) value = filled_by_preset(*value, state, vocabulary);
     for (const engine::Error& mistake : vocabulary.mistakes())
         report.error(mistake);
     if (!value) {
@@ -34,7 +33,7 @@ run(LuaState& state,
         report.error(error);
         return {};
     }
-    return read_scene(*value, vocabulary.constructed(), schema, name, report);
+    return read_scene(*value, vocabulary.constructed(), script.schema(), name, report);
 }
 
 void check_model_files(
@@ -53,24 +52,24 @@ void check_model_files(
 }
 
 LoadedScene load(
-    LuaState& state,
+    std::unique_ptr<LevelScript> script,
     std::string_view text,
     const std::string& name,
-    const SceneVocabulary& words,
     const fs::path* folder) {
-    const engine::Schema schema = scene_schema(words);
+    LuaState& state = script->state();
     Report report(state.sources());
-    scene::SceneDescription scene = run(state, text, name, schema, report);
+    scene::SceneDescription scene = run(*script, text, name, report);
     if (folder != nullptr) check_model_files(scene, *folder, report);
 
     LoadedScene loaded;
     loaded.errors = report.errors();
     loaded.warnings = report.warnings();
     loaded.files = state.files();
-    loaded.output = state.output();
+    loaded.output = script->take_output();
     if (!loaded.errors.empty()) return loaded;
     scene.warnings = loaded.warnings;
     loaded.scene = std::move(scene);
+    if (script->keep_update()) loaded.script = std::move(script);
     return loaded;
 }
 
@@ -92,11 +91,11 @@ load_scene(const fs::path& file, const SceneVocabulary& vocabulary, const LuaLim
         failed.files.push_back(file);
         return failed;
     }
-    LuaState state(limits);
+    auto script = std::make_unique<LevelScript>(vocabulary, limits);
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    state.allow_modules(folder);
-    state.add_file(file);
-    return load(state, *text, file.generic_string(), vocabulary, &folder);
+    script->state().allow_modules(folder);
+    script->state().add_file(file);
+    return load(std::move(script), *text, file.generic_string(), &folder);
 }
 
 LoadedScene load_scene_text(
@@ -104,9 +103,9 @@ LoadedScene load_scene_text(
     const std::string& name,
     const SceneVocabulary& vocabulary,
     const LuaLimits& limits) {
-    LuaState state(limits);
-    state.allow_modules();
-    return load(state, text, name, vocabulary, nullptr);
+    auto script = std::make_unique<LevelScript>(vocabulary, limits);
+    script->state().allow_modules();
+    return load(std::move(script), text, name, nullptr);
 }
 
 } // namespace script

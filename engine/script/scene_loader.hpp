@@ -4,10 +4,12 @@
 
 #include "engine/core/result.hpp"
 #include "engine/scene/description.hpp"
+#include "engine/script/level_script.hpp"
 #include "engine/script/lua_state.hpp"
 #include "engine/script/scene_schema.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,10 +19,11 @@ namespace script {
 
 struct LoadedScene {
     std::optional<scene::SceneDescription> scene; ///< present when there are no errors
-    std::vector<engine::Error> errors;            ///< all of them, by file and line
-    std::vector<std::string> warnings;            ///< one sentence each, with its place
-    std::vector<std::filesystem::path> files;     ///< the level and every file it required
-    std::vector<std::string> output;              ///< what the level printed
+    std::unique_ptr<LevelScript> script;      ///< of a level without errors that has an on_update
+    std::vector<engine::Error> errors;        ///< all of them, by file and line
+    std::vector<std::string> warnings;        ///< one sentence each, with its place
+    std::vector<std::filesystem::path> files; ///< the level and every file it required
+    std::vector<std::string> output;          ///< what the level printed
 
     /// All errors, a line each, as a person should see them.
     [[nodiscard]] std::string error_text() const;

@@ -47,6 +47,7 @@ public:
             read_child(child, subject);
         name_the_nameless();
         check_rules();
+        check_paths();
         warn_of_forgotten_parts();
         return std::move(scene_);
     }
@@ -82,6 +83,9 @@ private:
         if (const auto shadow_ms = budget.optional_number("shadow_ms"))
             scene_.shadow_ms = static_cast<float>(*shadow_ms);
         budget.finish();
+        // filled_by_preset() has added what the preset says, and LevelScript keeps the function.
+        static_cast<void>(reader.text("preset"));
+        static_cast<void>(reader.callback("on_update"));
         scene_.ambient = glm::vec3(reader.vector("ambient"));
         if (const auto exposure = reader.optional_number("exposure"))
             scene_.exposure = static_cast<float>(*exposure);
@@ -103,7 +107,9 @@ private:
                 scene,
                 "",
                 fmt::format(
-                    "holds {}, expected g.sun, g.spot, g.lamp, g.model, g.camera or g.rule", what));
+                    "holds {}, expected g.sun, g.spot, g.lamp, g.model, g.camera, g.path, "
+                    "g.player or g.rule",
+                    what));
         }
     }
 
@@ -125,10 +131,20 @@ private:
         if (word == "lamp") add(scene_.lights, read_lamp(reader), "light", reader.subject());
         if (word == "model") add(scene_.models, read_model(reader), "model", reader.subject());
         if (word == "camera") add(scene_.cameras, read_camera(reader), "camera", reader.subject());
+        if (word == "path") add(scene_.paths, read_path(reader), "path", reader.subject());
+        if (word == "player") add_player(read_player(reader), reader.subject());
+        if (word == "model") model_subjects_.push_back(reader.subject());
         if (word == "rule") {
             scene_.rules.push_back(read_rule(reader));
             rule_subjects_.push_back(reader.subject());
         }
+    }
+
+    void add_player(const scene::PlayerDescription& player, const Subject& subject) {
+        if (scene_.player)
+            report_.error(subject, "", "is the second one; a level has one player at most");
+        scene_.player = player;
+        player_subject_ = subject;
     }
 
     template <class Description>
@@ -173,6 +189,8 @@ private:
                                                                                  : "lamp";
             if (light.name.empty()) light.name = free_name(word, "light", light.place);
         }
+        for (scene::PathDescription& path : scene_.paths)
+            if (path.name.empty()) path.name = free_name("path", "path", path.place);
         for (scene::CameraDescription& camera : scene_.cameras)
             if (camera.name.empty()) camera.name = free_name("camera", "camera", camera.place);
         for (scene::ModelDescription& model : scene_.models) {
@@ -192,9 +210,15 @@ private:
         }
     }
 
+    void check_paths() {
+        for (std::size_t i = 0; i < scene_.models.size(); ++i)
+            check_name(model_subjects_[i], "path", scene_.models[i].path, "path");
+        if (scene_.player) check_name(player_subject_, "path", scene_.player->path, "path");
+    }
+
     /// Models may be followed by the path of a node, which only the model's file knows.
     void check_name(
-        const Subject& rule,
+        const Subject& subject,
         const std::string& field,
         const std::optional<std::string>& name,
         const std::string& kind) {
@@ -210,7 +234,7 @@ private:
                                      ? "which is no " + kind + " of this level"
                                      : "which is a " + found->second.kind + ", expected a " + kind;
         report_.error(
-            rule,
+            subject,
             field,
             fmt::format("is \"{}\", {}{}", *name, what, engine::did_you_mean(owner, candidates)));
     }
@@ -230,7 +254,9 @@ private:
     const engine::Schema& schema_;
     Report& report_;
     scene::SceneDescription scene_;
-    std::vector<Subject> rule_subjects_; ///< of scene_.rules
+    std::vector<Subject> rule_subjects_;  ///< of scene_.rules
+    std::vector<Subject> model_subjects_; ///< of scene_.models
+    Subject player_subject_;
     std::map<std::string, NameOwner, std::less<>> names_;
     std::map<std::string, std::size_t> numbers_; ///< the last number used for a made-up name
     std::set<int> used_;                         ///< constructors that are part of the scene

@@ -1,5 +1,6 @@
 #include "engine/script/scene_schema.hpp"
 
+#include "engine/script/live_fields.hpp"
 #include "engine/script/schema_parts.hpp"
 
 #include <algorithm>
@@ -68,7 +69,12 @@ Kind scene_kind() {
         .text = "The level: its fields, and everything in it as a list. Lists inside the list are "
                 "unfolded.",
         .fields =
-            {{.name = "budget",
+            {{.name = "preset",
+              .type = FieldType::choice,
+              .text = "Fills in whatever budget and shadow do not say, from "
+                      "scripts/gnomon/presets.lua.",
+              .words = {"low", "medium", "high", "ultra"}},
+             {.name = "budget",
               .type = FieldType::table,
               .text = "What shadows may cost.",
               .kind = "budget"},
@@ -88,7 +94,12 @@ Kind scene_kind() {
               .text = "Multiplies light before tone mapping: too little is night, too much is "
                       "white. Without it a "
                       "value is found from the lights.",
-              .range = {.min = 0.0, .max = 1e6, .min_open = true}}},
+              .range = {.min = 0.0, .max = 1e6, .min_open = true}},
+             {.name = "on_update",
+              .type = FieldType::callback,
+              .text =
+                  "Called before each frame with the seconds since the last one; see \"While a "
+                  "level runs\". When it fails it is not called again, and the level goes on."}},
         .constructed = true,
         .example = R"(g.scene { ambient = {0.3, 0.3, 0.35}, g.sun { name = "sun" } })"};
 }
@@ -133,7 +144,7 @@ Kind model_kind() {
         .name = "model",
         .text = "A thing to see: a model file or a built-in shape.",
         .fields = joined(
-            model_shape_fields(),
+            joined(model_shape_fields(), follower_fields()),
             {position_field({0.0, 0.0, 0.0}),
              {.name = "rotation",
               .type = FieldType::vector,
@@ -162,6 +173,12 @@ Kind model_kind() {
               .text = "1 is as authored, 0 stands still, negative runs backwards.",
               .fallback = 1.0,
               .range = {.min = -100.0, .max = 100.0}},
+             {.name = "animation_start",
+              .type = FieldType::number,
+              .text = "Where in the clip it begins, so that many of one file do not march in step.",
+              .fallback = 0.0,
+              .unit = "s",
+              .range = {.min = 0.0, .max = 1e4}},
              {.name = "shadow",
               .type = FieldType::table,
               .text = "What is asked of shadows on this model.",
@@ -264,7 +281,7 @@ engine::Schema scene_schema(const SceneVocabulary& vocabulary) {
               .text = "False lets the light through everything; it costs nothing then.",
               .fallback = true}},
             wish_fields(vocabulary))};
-    return {
+    engine::Schema schema = {
         {scene_kind(),
          sun_kind(),
          spot_kind(),
@@ -272,9 +289,16 @@ engine::Schema scene_schema(const SceneVocabulary& vocabulary) {
          model_kind(),
          camera_kind(),
          rule_kind(vocabulary),
+         path_kind(),
+         player_kind(),
          budget,
          shadow,
          light_shadow}};
+    for (const LiveField& live : live_fields())
+        for (engine::Kind& kind : schema.kinds)
+            for (Field& field : kind.fields)
+                field.live = field.live || (kind.name == live.kind && field.name == live.field);
+    return schema;
 }
 
 } // namespace script

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
 #include <vector>
 
 namespace script {
@@ -39,6 +40,10 @@ std::string lua_type_of(const Field& field) {
         return "number[]";
     case FieldType::scale:
         return "number|number[]";
+    case FieldType::points:
+        return "number[][]";
+    case FieldType::callback:
+        return "fun(dt: number)";
     case FieldType::table:
         return "gnomon." + field.kind;
     }
@@ -107,6 +112,54 @@ std::string reference_of(const Kind& kind) {
     return page;
 }
 
+/// Every live field once: a handle may be of any kind.
+std::string handle_annotations(const Schema& schema) {
+    std::string text = "\n---Something in a running level, found by its name.\n---@class (exact) "
+                       "gnomon.handle\n---@field name string What it is called; cannot be set.\n";
+    std::set<std::string> told;
+    for (const Kind& kind : schema.kinds)
+        for (const Field& field : kind.fields)
+            if (field.live && told.insert(field.name).second)
+                text += fmt::format(
+                    "---@field {} {} As of g.{}.\n", field.name, lua_type_of(field), kind.name);
+    return text
+           + "\n---The world of a running level; there is none before on_update is called.\n"
+             "---@class (exact) gnomon.world\n---@field time number Seconds since the level "
+             "began.\n"
+             "local world = {}\n\n---What is called by a name; an error when nothing is.\n"
+             "---@param name string\n---@return gnomon.handle\nfunction world:find(name) end\n\n"
+             "g.world = world\n";
+}
+
+std::string live_reference(const Schema& schema) {
+    std::string page =
+        "\n## While a level runs\n\n"
+        "`on_update(dt)` of the scene is called before each frame with the seconds since the last "
+        "one. It may read "
+        "`g.world.time`, the seconds since the level began, and find what has a name; what it "
+        "finds can be read and, "
+        "within the ranges above, set:\n\n"
+        "```lua\nlocal world = g.world\nreturn g.scene {\n  on_update = function(dt)\n"
+        "    local lamp = world:find(\"lamp\")\n"
+        "    lamp.intensity = 900 + 100 * math.sin(9 * world.time)\n  end,\n"
+        "  g.lamp { name = \"lamp\" },\n}\n```\n\n"
+        "Lists are copies: `lamp.position = {0, 2, 1}` moves it, `lamp.position[1] = 0` does not. "
+        "What goes along a path "
+        "has its position from there. One call may use a million instructions and a second of "
+        "processor time; it runs "
+        "the same on every machine. A call that fails is told with its place and traceback, once, "
+        "and `on_update` "
+        "is not called again; the level goes on.\n\n| kind | what can be read and set "
+        "|\n|---|---|\n";
+    for (const Kind& kind : schema.kinds) {
+        std::vector<std::string> names;
+        for (const Field& field : kind.fields)
+            if (field.live) names.push_back("`" + field.name + "`");
+        if (!names.empty()) page += fmt::format("| {} | {} |\n", kind.name, fmt::join(names, ", "));
+    }
+    return page;
+}
+
 } // namespace
 
 std::string lua_annotations(const Schema& schema) {
@@ -124,6 +177,7 @@ std::string lua_annotations(const Schema& schema) {
             kind.name,
             kind.text);
     }
+    text += handle_annotations(schema);
     text += "\n---A linear colour from sRGB: srgb(\"#ff8800\") or srgb(255, 136, 0).\n"
             "---@param red string|number\n---@param green? number\n---@param blue? "
             "number\n---@return number[]\n"
@@ -140,7 +194,7 @@ std::string reference_page(const Schema& schema) {
         kMade);
     for (const Kind& kind : schema.kinds)
         page += reference_of(kind);
-    return page;
+    return page + live_reference(schema);
 }
 
 } // namespace script

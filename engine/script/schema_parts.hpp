@@ -25,4 +25,9 @@ engine::Kind sun_kind();
 engine::Kind spot_kind();
 engine::Kind lamp_kind();
 
+engine::Kind path_kind();
+engine::Kind player_kind();
+/// How a model goes along a path.
+std::vector<engine::Field> follower_fields();
+
 } // namespace script

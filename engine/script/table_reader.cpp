@@ -197,6 +197,36 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view field) 
     return numbers.size() == given.list.size() ? std::optional(numbers) : std::nullopt;
 }
 
+std::vector<glm::dvec3> TableReader::points(std::string_view field) {
+    const Value* value = find(field, FieldType::points, FieldType::points);
+    if (value == nullptr) return {};
+    const Field& wanted = row(field);
+    const bool is_list = value->type == Value::Type::table && value->table->fields.empty()
+                         && value->table->strays.empty()
+                         && static_cast<int>(value->table->list.size()) >= wanted.min_count;
+    std::vector<glm::dvec3> points;
+    for (const Value& point : is_list ? value->table->list : std::vector<Value>()) {
+        if (point.type != Value::Type::table || point.table->list.size() != 3) break;
+        glm::dvec3& made = points.emplace_back();
+        for (int i = 0; i < 3; ++i) {
+            const auto number = checked(wanted, point.table->list[static_cast<std::size_t>(i)]);
+            if (!number) return {};
+            made[i] = *number;
+        }
+    }
+    if (is_list && points.size() == value->table->list.size()) return points;
+    complain_about_type(wanted, *value);
+    return {};
+}
+
+bool TableReader::callback(std::string_view field) {
+    const Value* value = find(field, FieldType::callback, FieldType::callback);
+    if (value == nullptr) return false;
+    if (value->type == Value::Type::other && value->text == "function") return true;
+    complain_about_type(row(field), *value);
+    return false;
+}
+
 glm::dvec3 TableReader::default_vector(std::string_view field) const {
     const auto* fallback = std::get_if<std::vector<double>>(&row(field).fallback);
     return fallback != nullptr ? glm::dvec3((*fallback)[0], (*fallback)[1], (*fallback)[2])

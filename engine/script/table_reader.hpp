@@ -47,6 +47,10 @@ public:
     std::optional<std::vector<std::string>> words(std::string_view field);
     /// As many numbers as were given.
     std::optional<std::vector<double>> numbers(std::string_view field);
+    /// Places; empty when there are none, or wrong ones.
+    std::vector<glm::dvec3> points(std::string_view field);
+    /// Whether the field holds a function.
+    bool callback(std::string_view field);
     /// The table in a field; an empty one when there is none.
     TableReader table(std::string_view field);
 

@@ -24,15 +24,16 @@ std::string call_of(const std::string& word) {
 
 } // namespace
 
-Vocabulary::Vocabulary(LuaState& state, const engine::Schema& schema)
+Vocabulary::Vocabulary(LuaState& state, const engine::Schema& schema, LiveWorld& world)
     : state_(state),
-      schema_(schema) {
+      schema_(schema),
+      world_(world) {
     lua_State* lua = state.lua();
     lua_pushcfunction(lua, [](lua_State* inner) {
         auto& self = *static_cast<Vocabulary*>(lua_touserdata(inner, 1));
         lua_newtable(inner);
         lua_rawsetp(inner, LUA_REGISTRYINDEX, &kConstructedKey);
-        lua_createtable(inner, 0, 2);
+        lua_createtable(inner, 0, 3);
         lua_newtable(inner);
         for (const engine::Kind& kind : self.schema_.kinds) {
             if (!kind.constructed) continue;
@@ -43,6 +44,8 @@ Vocabulary::Vocabulary(LuaState& state, const engine::Schema& schema)
         lua_pushlightuserdata(inner, &self);
         lua_pushcclosure(inner, &Vocabulary::unknown, 1);
         lua_setfield(inner, -2, "unknown");
+        self.world_.push(inner);
+        lua_setfield(inner, -2, "world");
         set_module_argument(inner, "gnomon");
         return 0;
     });
@@ -104,7 +107,7 @@ int Vocabulary::unknown(lua_State* lua) {
     std::size_t size = 0;
     const char* text = lua_type(lua, 1) == LUA_TSTRING ? lua_tolstring(lua, 1, &size) : nullptr;
     const std::string word = text == nullptr ? luaL_typename(lua, 1) : std::string(text, size);
-    std::vector<std::string_view> words = {"srgb"};
+    std::vector<std::string_view> words = {"srgb", "world"};
     for (const engine::Kind& kind : self.schema_.kinds)
         if (kind.constructed) words.emplace_back(kind.name);
     if (!self.full()) {

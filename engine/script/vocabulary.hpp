@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/core/schema.hpp"
+#include "engine/script/live_world.hpp"
 #include "engine/script/lua_state.hpp"
 #include "engine/script/value.hpp"
 
@@ -20,9 +21,9 @@ struct Constructed {
 
 class Vocabulary {
 public:
-    /// Teaches `state` the constructed kinds of the schema. Both must outlive the vocabulary, and
+    /// Teaches `state` the constructed kinds of the schema. All must outlive the vocabulary, and
     /// it the scripts.
-    Vocabulary(LuaState& state, const engine::Schema& schema);
+    Vocabulary(LuaState& state, const engine::Schema& schema, LiveWorld& world);
     Vocabulary(const Vocabulary&) = delete;
     Vocabulary& operator=(const Vocabulary&) = delete;
     ~Vocabulary() = default;
@@ -44,6 +45,7 @@ private:
 
     LuaState& state_;
     const engine::Schema& schema_;
+    LiveWorld& world_;
     std::vector<Constructed> constructed_;
     std::vector<engine::Error> mistakes_;
 };

@@ -6,10 +6,12 @@ local g = {}
 
 ---The level: its fields, and everything in it as a list. Lists inside the list are unfolded.
 ---@class (exact) gnomon.scene
+---@field preset? "low"|"medium"|"high"|"ultra" Fills in whatever budget and shadow do not say, from scripts/gnomon/presets.lua. (one of "low", "medium", "high", "ultra")
 ---@field budget? gnomon.budget What shadows may cost. (a table)
 ---@field shadow? gnomon.shadow Wishes for all shadows of the level. (a table)
 ---@field ambient? number[] Light from everywhere, linear, relative to the exposure. At 0 shadows are black, over 1 they wash out. (a list of 3 numbers, each 0 to 100; default {0.2, 0.2, 0.2})
 ---@field exposure? number Multiplies light before tone mapping: too little is night, too much is white. Without it a value is found from the lights. (more than 0 and at most 1000000)
+---@field on_update? fun(dt: number) Called before each frame with the seconds since the last one; see "While a level runs". When it fails it is not called again, and the level goes on. (a function)
 ---@field [integer] table everything in the level
 
 ---The level: its fields, and everything in it as a list. Lists inside the list are unfolded.
@@ -75,6 +77,9 @@ function g.lamp(fields) end
 ---@field shape? "box"|"plane"|"sphere"|"cylinder"|"cone"|"torus" One of the built-in bodies, centred on its position. A plane is open and flat: it casts a shadow like paper. (one of "box", "plane", "sphere", "cylinder", "cone", "torus")
 ---@field size? number[] Full extents of a shape: x, y, z, or x, z for a plane. The y of a torus is the thickness of its ring. (a list of 2 to 3 numbers, each more than 0 and at most 100000 m; default {1, 1, 1})
 ---@field color? number[] Linear red, green, blue of a shape; 1 is whiter than paper (0.8), and 0 hides all shadows. (a list of 3 numbers, each 0 to 1; default {0.8, 0.8, 0.8})
+---@field path? string Name of a path to go along, looking (with the side towards z) the way it leads. It decides position and rotation. (a string)
+---@field path_speed? number How fast it goes along its path; 0 stands still, negative walks the other way. (-100 to 100 m/s; default 1.2)
+---@field path_start? number Share of the path at which it begins. (0 to 1; default 0)
 ---@field position? number[] Where it is: x, y (up), z. (a list of 3 numbers, each -10000000 to 10000000 m; default {0, 0, 0})
 ---@field rotation? number[] Turns about x, y and z, applied in the order z, x, y (roll, pitch, yaw). (a list of 3 numbers, each -3600 to 3600 deg; default {0, 0, 0})
 ---@field scale? number|number[] One factor or three, none 0; a negative one mirrors. Files in centimetres want 0.01. (a number or a list of 3 numbers, each -10000 to 10000; default {1, 1, 1})
@@ -83,6 +88,7 @@ function g.lamp(fields) end
 ---@field hero? boolean Whether its shadow is held to a quarter of a pixel; a level with many heroes is dear. (true or false; default false)
 ---@field animation? string Clip of the file to play; the first one without it. (a string)
 ---@field animation_speed? number 1 is as authored, 0 stands still, negative runs backwards. (-100 to 100; default 1)
+---@field animation_start? number Where in the clip it begins, so that many of one file do not march in step. (0 to 10000 s; default 0)
 ---@field shadow? gnomon.shadow What is asked of shadows on this model. (a table)
 
 ---A thing to see: a model file or a built-in shape.
@@ -123,6 +129,29 @@ function g.camera(fields) end
 ---@return gnomon.rule
 function g.rule(fields) end
 
+---A way through the level, straight from point to point.
+---@class (exact) gnomon.path
+---@field name? string What rules, messages and files call this path; unique in the level. Without it a name is made up, and a reload may take it for another one. (a name: up to 64 letters, digits, spaces, - or _ (no / \ # " : * ? < > |))
+---@field points? number[][] The places that it leads through, in their order. (a list of 2 or more places, each a list of 3 numbers, each -10000000 to 10000000 m)
+---@field closed? boolean True leads from the last point to the first; false turns back there. (true or false; default true)
+
+---A way through the level, straight from point to point.
+---@param fields gnomon.path
+---@return gnomon.path
+function g.path(fields) end
+
+---Whom the person at the keys is; at most one. Without it the camera flies.
+---@class (exact) gnomon.player
+---@field position? number[] Where it is: x, y (up), z. (a list of 3 numbers, each -10000000 to 10000000 m; default {0, 0, 0})
+---@field heading? number Turn about y with which the player begins; 0 looks along -z, 90 along -x. (-3600 to 3600 deg; default 0)
+---@field speed? number How fast the player walks; 1.4 is a stroll, over 4 is running. (more than 0 and at most 100 m/s; default 1.6)
+---@field path? string Name of the path that the player follows where nobody is at the keys. (a string)
+
+---Whom the person at the keys is; at most one. Without it the camera flies.
+---@param fields gnomon.player
+---@return gnomon.player
+function g.player(fields) end
+
 ---What the designer accepts for the whole level.
 ---@class (exact) gnomon.budget
 ---@field error_px? number Accepted displacement of shadow edges. Small values ask for dear techniques; over about 4 edges are seen to be wrong. Where nobody says, the picker takes 1, and 0.25 for heroes. (0 to 1000 px)
@@ -148,6 +177,31 @@ function g.rule(fields) end
 ---@field filter? "nearest"|"bilinear"|"pcf"|"pcss" How shadow maps are looked up: hard and cheap first, soft and dear last. (one of "nearest", "bilinear", "pcf", "pcss")
 ---@field samples? integer Points on the light that soft techniques try. Few show as bands, many cost time. (a whole number, 1 to 1024)
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
+
+---Something in a running level, found by its name.
+---@class (exact) gnomon.handle
+---@field name string What it is called; cannot be set.
+---@field direction number[] As of g.sun.
+---@field illuminance number As of g.sun.
+---@field color number[] As of g.sun.
+---@field on boolean As of g.sun.
+---@field position number[] As of g.spot.
+---@field intensity number As of g.spot.
+---@field path_speed number As of g.model.
+---@field rotation number[] As of g.model.
+---@field animation_speed number As of g.model.
+
+---The world of a running level; there is none before on_update is called.
+---@class (exact) gnomon.world
+---@field time number Seconds since the level began.
+local world = {}
+
+---What is called by a name; an error when nothing is.
+---@param name string
+---@return gnomon.handle
+function world:find(name) end
+
+g.world = world
 
 ---A linear colour from sRGB: srgb("#ff8800") or srgb(255, 136, 0).
 ---@param red string|number
