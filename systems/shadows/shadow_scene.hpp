@@ -43,6 +43,7 @@ struct ReceiverView {
     glm::dvec3 normal = {}; ///< of a flat receiver: unit, outward
     double offset = 0.0;    ///< of a flat receiver: dot(normal, p) for its points
     double residual = 0.0;  ///< of a flat receiver: how far it leaves its plane, metres
+    bool two_sided = false; ///< some of its mesh can be seen from behind
 };
 
 /// One frame as shadows see it. Vectors are sorted by name (then id), so that no decision depends

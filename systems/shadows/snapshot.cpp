@@ -20,6 +20,13 @@ bool alpha_masked(const scene::Assets& assets, const scene::Mesh& mesh) {
         });
 }
 
+bool two_sided(const scene::Assets& assets, const scene::Mesh& mesh) {
+    return std::any_of(
+        mesh.submeshes.begin(), mesh.submeshes.end(), [&](const scene::Submesh& submesh) {
+            return assets.materials[submesh.material].double_sided;
+        });
+}
+
 CasterView
 make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& world_from_mesh) {
     const auto mesh_index = world.registry.get<scene::MeshInstance>(entity).mesh;
@@ -59,11 +66,13 @@ void add_receivers(
     const scene::Mesh& mesh =
         world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
     const std::string name = name_of(world, range.entity);
+    const bool seen_from_behind = two_sided(world.assets, mesh);
     for (std::uint32_t part = 0; part < range.count; ++part) {
         if (part == 0 && range.count > 1 && !mesh.has_rest) continue;
         ReceiverView receiver;
         receiver.id = range.first + part;
         receiver.entity = range.entity.value;
+        receiver.two_sided = seen_from_behind;
         receiver.name = part == 0 ? name : fmt::format("{}#{}", name, part);
         if (part == 0) {
             receiver.bounds = scene::world_bounds(world, range.entity);

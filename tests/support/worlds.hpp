@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include "engine/scene/camera.hpp"
+#include "engine/scene/framing.hpp"
 #include "engine/scene/primitives.hpp"
 #include "engine/scene/receivers.hpp"
 #include "engine/scene/world.hpp"
@@ -34,11 +36,39 @@ public:
         return entity;
     }
 
+    /// A light as an entity, so that scene::placed_lights finds it.
+    ecs::Entity add_light(const scene::PlacedLight& light) {
+        const ecs::Entity entity = world.registry.create();
+        scene::Transform transform;
+        transform.position = light.position + origin_;
+        transform.rotation = scene::rotation_along(light.direction);
+        world.registry.add(entity, scene::Name{light.name});
+        world.registry.add(entity, transform);
+        world.registry.add(entity, scene::WorldTransform{});
+        world.registry.add(entity, light.light);
+        return entity;
+    }
+
     scene::World world;
 
 private:
     glm::dvec3 origin_;
 };
+
+/// Adds `part`, moved by `offset`, to a mesh: one entity, several solids.
+inline void append(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& offset) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const glm::vec3& position : part.positions)
+        mesh.positions.push_back(position + offset);
+    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+    mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
+    for (const std::uint32_t index : part.indices)
+        mesh.indices.push_back(first + index);
+    mesh.submeshes.clear();
+    mesh.patches.clear();
+    mesh.patch_ids.clear();
+    scene::finish_mesh(mesh);
+}
 
 inline scene::Transform at(const glm::dvec3& position, const glm::vec3& scale = glm::vec3(1.0F)) {
     scene::Transform transform;
@@ -65,6 +95,17 @@ lamp_light(const std::string& name, const glm::dvec3& position, float intensity,
     light.light.range = range;
     light.position = position;
     return light;
+}
+
+/// A camera at `eye` that looks at `target`, 60 degrees high.
+inline scene::CameraView
+camera_looking(const glm::dvec3& eye, const glm::dvec3& target, int width, int height) {
+    scene::CameraView camera;
+    camera.position = eye;
+    camera.world_from_view = glm::mat3_cast(scene::rotation_along(target - eye));
+    camera.width = width;
+    camera.height = height;
+    return camera;
 }
 
 } // namespace test_support

@@ -1,0 +1,70 @@
+#include "systems/shadows/screen_bounds.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shadows {
+
+namespace {
+
+/// The smallest rectangle of the window round some points of view space.
+class WindowRectangle {
+public:
+    explicit WindowRectangle(const scene::CameraView& camera) : camera_(camera) {}
+
+    /// @pre point_vs.z < 0
+    void grow(const glm::dvec3& point_vs) {
+        const double metres_per_px = -point_vs.z * camera_.pixel_size();
+        const glm::dvec2 window =
+            glm::dvec2(camera_.width, camera_.height) * 0.5 + glm::dvec2(point_vs) / metres_per_px;
+        min_ = glm::min(min_, window);
+        max_ = glm::max(max_, window);
+    }
+
+    [[nodiscard]] PixelBox pixels() const {
+        const glm::dvec2 size(camera_.width, camera_.height);
+        const glm::dvec2 low = glm::clamp(min_, glm::dvec2(0.0), size);
+        const glm::dvec2 high = glm::clamp(max_, glm::dvec2(0.0), size);
+        return {
+            static_cast<int>(std::floor(low.x)),
+            static_cast<int>(std::floor(low.y)),
+            static_cast<int>(std::ceil(high.x)),
+            static_cast<int>(std::ceil(high.y))};
+    }
+
+private:
+    const scene::CameraView& camera_;
+    glm::dvec2 min_ = glm::dvec2(std::numeric_limits<double>::infinity());
+    glm::dvec2 max_ = -min_;
+};
+
+} // namespace
+
+PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb& box) {
+    if (box.empty()) return {};
+    const glm::dmat3 view_from_world = glm::transpose(glm::dmat3(camera.world_from_view));
+    std::array<glm::dvec3, 8> corners_vs;
+    for (int i = 0; i < 8; ++i)
+        corners_vs[static_cast<std::size_t>(i)] =
+            view_from_world * (box.corner(i) - camera.position);
+    const double nearest = -static_cast<double>(camera.near);
+    WindowRectangle rectangle(camera);
+    bool seen = false;
+    for (std::size_t a = 0; a < 8; ++a) {
+        if (corners_vs[a].z <= nearest) {
+            rectangle.grow(corners_vs[a]);
+            seen = true;
+        }
+        for (const std::size_t bit : {1U, 2U, 4U}) {
+            const std::size_t b = a | bit;
+            if (a == b || (corners_vs[a].z <= nearest) == (corners_vs[b].z <= nearest)) continue;
+            const double t = (nearest - corners_vs[a].z) / (corners_vs[b].z - corners_vs[a].z);
+            rectangle.grow(glm::mix(corners_vs[a], corners_vs[b], t));
+            seen = true;
+        }
+    }
+    return seen ? rectangle.pixels() : PixelBox{};
+}
+
+} // namespace shadows

@@ -1,0 +1,30 @@
+// Where a box of the world lies on screen: the pixels that a pass has to touch at most.
+
+#pragma once
+
+#include "engine/core/geometry.hpp"
+#include "engine/scene/camera.hpp"
+
+namespace shadows {
+
+/// Pixels [left, right) x [bottom, top), origin bottom left, inside the picture.
+struct PixelBox {
+    int left = 0;
+    int bottom = 0;
+    int right = 0;
+    int top = 0;
+
+    [[nodiscard]] bool empty() const { return left >= right || bottom >= top; }
+    [[nodiscard]] double area() const {
+        return empty() ? 0.0
+                       : static_cast<double>(right - left) * static_cast<double>(top - bottom);
+    }
+    bool operator==(const PixelBox&) const = default;
+};
+
+/// The pixels whose centres can show a point of the box: its edges, cut at the near plane, and
+/// rounded outward. Empty when nothing of it is in view, or the box is empty.
+/// Cost: 12 edges.
+PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb& box);
+
+} // namespace shadows

@@ -1,0 +1,19 @@
+// The cases, one function per technique.
+
+#pragma once
+
+#include "tests/atlas/atlas.hpp"
+
+namespace atlas {
+
+std::vector<Case> control_cases();
+std::vector<Case> planar_cases();
+
+inline std::vector<Case> all_cases() {
+    std::vector<Case> cases;
+    for (const auto& some : {control_cases(), planar_cases()})
+        cases.insert(cases.end(), some.begin(), some.end());
+    return cases;
+}
+
+} // namespace atlas

@@ -1,0 +1,259 @@
+// Failures of shadows projected on planes.
+//
+// Sources: J. Blinn, "Me and My (Fake) Shadow", IEEE CG&A, 1988; P. Heckbert and M. Herf,
+// "Simulating Soft Shadows with Graphics Hardware", CMU-CS-97-104, 1997. That dark cubes over each
+// other must not darken twice is no case: masks take the minimum.
+
+#include "tests/atlas/cases.hpp"
+#include "tests/support/worlds.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace atlas {
+
+namespace {
+
+using shadows::Remedy;
+using test_support::at;
+using test_support::camera_looking;
+using test_support::WorldBuilder;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+scene::PlacedLight sun_along(const glm::dvec3& direction) {
+    scene::PlacedLight sun = test_support::sun_light();
+    sun.direction = glm::vec3(glm::normalize(direction));
+    return sun;
+}
+
+scene::PlacedLight lamp_at(const glm::dvec3& position) {
+    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
+}
+
+scene::CameraView usual_camera() {
+    return camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, kPictureSize, kPictureSize);
+}
+
+/// A camera that sees `width` metres round a target 20 degrees below it.
+scene::CameraView camera_far_from(const glm::dvec3& target, double distance, double width) {
+    const glm::dvec3 away(0.0, std::sin(20.0 * kDegree), std::cos(20.0 * kDegree));
+    scene::CameraView camera =
+        camera_looking(target + away * distance, target, kPictureSize, kPictureSize);
+    camera.fov_y = static_cast<float>(2.0 * std::atan(0.5 * width / distance));
+    return camera;
+}
+
+scene::Mesh cube(float side) {
+    return scene::make_box(glm::vec3(side));
+}
+
+/// The receiver's name of the lowest flat patch of a mesh that faces up.
+std::string lowest_top(const std::string& name, const scene::Mesh& mesh) {
+    std::size_t lowest = mesh.patches.size();
+    for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
+        const scene::FlatPatch& patch = mesh.patches[i];
+        if (patch.normal.y < 0.99F) continue;
+        if (lowest == mesh.patches.size() || patch.offset < mesh.patches[lowest].offset) lowest = i;
+    }
+    return fmt::format("{}#{}", name, lowest + 1);
+}
+
+Stage on_floor(WorldBuilder& builder, const std::string& light) {
+    return pinned_stage(std::move(builder.world), usual_camera(), light, "floor", "planar");
+}
+
+WorldBuilder floor_of(float side) {
+    WorldBuilder builder;
+    builder.add("floor", scene::make_plane(glm::vec2(side)));
+    return builder;
+}
+
+Stage cube_far_away(double distance) {
+    WorldBuilder builder = floor_of(200.0F);
+    builder.add("cube", cube(1.0F), at({0.0, 0.5, 0.0}));
+    builder.add_light(sun_along({0.4, -1.0, 0.3}));
+    return pinned_stage(
+        std::move(builder.world),
+        camera_far_from({0.0, 0.0, 0.5}, distance, 4.0),
+        "sun",
+        "floor",
+        "planar");
+}
+
+Stage book_at_the_edge(double distance) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("cube", cube(1.0F), at({0.0, 0.5, 0.0}));
+    builder.add("book", scene::make_box({0.3F, 0.02F, 0.4F}), at({1.1, 0.01, 0.5}));
+    builder.add_light(sun_along({1.0, -1.0, 0.0}));
+    return pinned_stage(
+        std::move(builder.world),
+        camera_far_from({1.1, 0.0, 0.5}, distance, 1.2),
+        "sun",
+        "floor",
+        "planar");
+}
+
+Stage ball_beside_table(double x) {
+    WorldBuilder builder = floor_of(20.0F);
+    scene::Mesh table = scene::make_box({2.0F, 0.1F, 2.0F});
+    const std::string receiver = lowest_top("table", table);
+    builder.add("table", std::move(table), at({0.0, 0.95, 0.0}));
+    builder.add("ball", scene::make_sphere(0.4F), at({x, 2.0, 0.0}));
+    builder.add_light(sun_along({1.0, -1.0, 0.0}));
+    return pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 4.0, 5.0}, {0.7, 0.5, 0.0}, kPictureSize, kPictureSize),
+        "sun",
+        receiver,
+        "planar");
+}
+
+Stage cube_over_lamp(double y) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("cube", cube(0.5F), at({1.0, y, 0.0}));
+    builder.add_light(lamp_at({0.0, 2.0, 0.0}));
+    return on_floor(builder, "lamp");
+}
+
+Stage pole_past_lamp(double y) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("pole", scene::make_box({0.2F, 3.0F, 0.2F}), at({1.0, y, 0.0}));
+    builder.add_light(lamp_at({0.0, 2.0, 0.0}));
+    return on_floor(builder, "lamp");
+}
+
+Stage ball_through_floor(double y) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("ball", scene::make_sphere(0.4F), at({0.0, y, 0.0}));
+    builder.add_light(lamp_at({0.0, 4.0, 0.0}));
+    return on_floor(builder, "lamp");
+}
+
+Stage half_sunk_ball(double elevation_deg) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("ball", scene::make_sphere(1.0F));
+    const double elevation = elevation_deg * kDegree;
+    builder.add_light(sun_along({std::cos(elevation), -std::sin(elevation), 0.0}));
+    return on_floor(builder, "sun");
+}
+
+Stage lamp_through_floor(double y) {
+    WorldBuilder builder = floor_of(6.0F);
+    builder.add("wall", scene::make_box({20.0F, 20.0F, 0.1F}), at({0.0, 0.0, -4.0}));
+    builder.add("ball", scene::make_sphere(0.4F), at({0.0, 1.5, 0.0}));
+    builder.add_light(lamp_at({0.0, y, 0.0}));
+    Stage stage = on_floor(builder, "lamp");
+    stage.level.shadows.scene.technique = "none"; // what is turned away stays as planar left it
+    return stage;
+}
+
+Stage two_lights(double lamp_x) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("cube", cube(1.0F), at({0.0, 0.5, 0.0}));
+    builder.add_light(lamp_at({lamp_x, 4.0, 2.0}));
+    builder.add_light(sun_along({1.0, -1.0, 0.0}));
+    return on_floor(builder, "sun");
+}
+
+/// A seat with a back, as one mesh.
+Stage chair(double turn_deg) {
+    WorldBuilder builder = floor_of(20.0F);
+    scene::Mesh seat = scene::make_box({2.0F, 0.2F, 2.0F});
+    scene::Mesh back = scene::make_box({2.0F, 1.5F, 0.2F});
+    test_support::append(seat, back, {0.0F, 0.85F, -0.9F});
+    const std::string receiver = lowest_top("chair", seat);
+    builder.add("chair", std::move(seat), at({0.0, 0.9, 0.0}));
+    const double turn = turn_deg * kDegree;
+    builder.add_light(sun_along({std::sin(turn), -1.0, std::cos(turn)}));
+    return pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 3.5, 4.0}, {0.0, 0.8, 0.0}, kPictureSize, kPictureSize),
+        "sun",
+        receiver,
+        "planar");
+}
+
+Gate no_dark_behind_light() {
+    return {"mask lowered where no light falls, px", [](const Observation& seen) {
+                const measure::Comparison& comparison = seen.comparison;
+                double count = 0.0;
+                for (std::size_t i = 0; i < comparison.kind.size(); ++i)
+                    if (comparison.kind[i] == measure::PixelKind::facing_away
+                        && comparison.measured.visibility[i] < 1.0F)
+                        count += 1.0;
+                return count;
+            }};
+}
+
+} // namespace
+
+std::vector<Case> planar_cases() {
+    const std::vector<Gate> exact = exact_shape();
+    return {
+        {"P1",
+         "the shadow fights with its receiver's depth",
+         cube_far_away,
+         {5.0, 200.0, 60.0},
+         Remedy::planar_stencil,
+         exact},
+        {"P2",
+         "an offset paints the floor's shadow over a book that lies on it",
+         book_at_the_edge,
+         {60.0, 200.0, 150.0},
+         Remedy::planar_no_offset,
+         exact},
+        {"P3",
+         "the table's shadow hangs in the air beside it",
+         ball_beside_table,
+         {0.0, 1.5, 0.9},
+         Remedy::planar_stencil,
+         exact},
+        {"P5",
+         "a cube above the lamp throws a mirrored shadow",
+         cube_over_lamp,
+         {1.0, 3.5, 3.0},
+         Remedy::planar_anti_shadow_clip,
+         exact},
+        {"P6",
+         "a pole past the lamp throws a wedge that flips through infinity",
+         pole_past_lamp,
+         {1.5, 2.5, 2.0},
+         Remedy::planar_anti_shadow_clip,
+         exact},
+        {"P7",
+         "a ball under the floor throws a shadow on it",
+         ball_through_floor,
+         {-2.0, 2.0, -1.0},
+         Remedy::planar_behind_clip,
+         exact},
+        {"P8",
+         "the lower half of a sunken ball throws a lobe toward the sun",
+         half_sunk_ball,
+         {15.0, 75.0, 15.0},
+         Remedy::planar_behind_clip,
+         exact},
+        {"P10",
+         "a lamp under the floor darkens it",
+         lamp_through_floor,
+         {1.0, -1.0, -0.5},
+         Remedy::planar_light_side,
+         {no_dark_behind_light()}},
+        {"P12",
+         "the second light's shadow has holes where the first one's lies",
+         two_lights,
+         {-3.0, 3.0, -1.5},
+         Remedy::planar_fresh_stencil,
+         exact},
+        {"Chair",
+         "the back of a chair throws no shadow on its own seat",
+         chair,
+         {-60.0, 60.0, 0.0},
+         std::nullopt,
+         exact},
+    };
+}
+
+} // namespace atlas
