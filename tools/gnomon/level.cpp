@@ -33,6 +33,8 @@ engine::Result<void> build_from_lua(const std::filesystem::path& file, Level& le
     level.warnings.insert(level.warnings.end(), built->begin(), built->end());
     level.shadows = shadows::ShadowSettings::from(description);
     level.exposure = description.exposure;
+    level.player = description.player;
+    level.script = std::move(loaded.script);
     return {};
 }
 
@@ -55,6 +57,16 @@ engine::Result<Level> load_level(const std::filesystem::path& file) {
     if (!built) return built.error();
     scene::update(level.world, 0.0F);
     return level;
+}
+
+void advance(Level& level, float dt) {
+    if (level.script) {
+        const auto done = level.script->update(level.world, dt);
+        for (const std::string& line : level.script->take_output())
+            fmt::print("{}\n", line);
+        if (!done) fmt::print(stderr, "{}\n", engine::to_string(done.error()));
+    }
+    scene::update(level.world, dt);
 }
 
 engine::Result<scene::CameraView>

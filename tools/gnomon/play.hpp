@@ -1,4 +1,4 @@
-// The two ways to play a level: by hand in a window, and by itself without one.
+// The ways to play a level: by hand in a window, by itself without one, and for long.
 
 #pragma once
 
@@ -14,21 +14,29 @@ struct PlayOptions {
     std::string level = "games/sample/level.lua";
     std::filesystem::path out = "out/play";
     ViewOptions view = {.size = "640x360", .camera = {}};
-    double walk_seconds = 8.0;
-    int window_frames = 0; ///< 0: until the window is closed
+    double walk_seconds = 0.0; ///< 0: once round
+    double soak_seconds = 0.0; ///< 0: no soak
+    int window_frames = 0;     ///< 0: until the window is closed
     bool headless = false;
 };
 
-/// W A S D and the mouse (or a gamepad) move the camera, F12 takes a picture, Escape ends.
+/// W A S D and the mouse (or a gamepad) move the player (or a camera that flies, where the level
+/// has none), left shift runs, F12 takes a picture, Escape ends.
 /// Errors: no display, or no OpenGL on it.
 engine::Result<void>
 play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size);
 
-/// The camera goes through the level's cameras. Leaves stills, a film where ffmpeg is installed,
+/// The player walks its path once round, or for walk_seconds; a level without one shows its
+/// cameras. Leaves stills, a film where ffmpeg is installed,
 /// and index.html.
 /// @return a sentence that says what lies where
 /// Errors: the folder cannot be written.
 engine::Result<std::string>
 walk_through(Studio& studio, Level& level, const PlayOptions& options, const glm::ivec2& size);
+
+/// Walks for soak_seconds of the level's time, without pictures, and tells what it holds.
+/// @return false: memory, device memory or entities grew after the first minute
+engine::Result<bool>
+soak(Studio& studio, Level& level, const PlayOptions& options, const glm::ivec2& size);
 
 } // namespace gnomon

@@ -1,5 +1,5 @@
-// gnomon play: a level in a window; with no display the same level walks by itself and leaves a
-// film and pictures.
+// gnomon play: a level in a window; with no display it walks itself and leaves a film and
+// pictures; with --seconds or --minutes it only walks, and tells what it holds.
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,12 +30,18 @@ int play(const PlayOptions& options) {
     auto level = load_level(options.level);
     if (!level) return fail(level.error(), kBadFile);
     print_warnings(*level);
-    if (has_display() && !options.headless) {
+    if (has_display() && !options.headless && options.soak_seconds <= 0.0) {
         const auto played = play_in_window(*level, options, *size);
         return played ? kFine : fail(played.error(), kNoOpenGl);
     }
     auto studio = Studio::open(size->x, size->y);
     if (!studio) return fail(studio.error(), kNoOpenGl);
+    if (options.soak_seconds > 0.0) {
+        const auto steady = soak(**studio, *level, options, *size);
+        if (!steady) return fail(steady.error(), kCannotDo);
+        fmt::print("{}\n", *steady ? "nothing grew" : "FAILED: something grew");
+        return *steady ? kFine : kCheckFailed;
+    }
     const auto walked = walk_through(**studio, *level, options, *size);
     if (!walked) return fail(walked.error(), kCannotDo);
     fmt::print("{}\n", *walked);
@@ -53,13 +59,27 @@ Run add_play(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--size", options->view.size, "WIDTHxHEIGHT, pixels")
         ->capture_default_str();
-    command->add_option("--walk-seconds", options->walk_seconds, "length of the walk")
-        ->check(CLI::Range(0.5, 600.0))
-        ->capture_default_str();
+    command
+        ->add_option(
+            "--walk-seconds", options->walk_seconds, "length of the walk; without it once round")
+        ->check(CLI::Range(0.5, 600.0));
     command
         ->add_option("--frames", options->window_frames, "close the window after this many frames")
         ->check(CLI::Range(0, 1000000));
-    command->add_flag("--headless", options->headless, "walk even where there is a display");
+    command->add_flag("--walk,--headless", options->headless, "walk even where there is a display");
+    constexpr double kSecondsPerMinute = 60.0;
+    command
+        ->add_option_function<double>(
+            "--seconds",
+            [options](double seconds) { options->soak_seconds = seconds; },
+            "walk this long without pictures; fails when memory grows")
+        ->check(CLI::Range(0.1, 86400.0));
+    command
+        ->add_option_function<double>(
+            "--minutes",
+            [options](double minutes) { options->soak_seconds = minutes * kSecondsPerMinute; },
+            "the same in minutes")
+        ->check(CLI::Range(0.01, 1440.0));
     return [options] { return play(*options); };
 }
 

@@ -1,14 +1,14 @@
+#include "engine/app/first_person.hpp"
 #include "engine/app/window_input.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/gpu/window.hpp"
 #include "engine/scene/views.hpp"
 
 #include <fmt/format.h>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <optional>
 
 #include "tools/gnomon/play.hpp"
 #include "tools/gnomon/text_files.hpp"
@@ -20,26 +20,14 @@ namespace {
 /// A camera that is flown by hand.
 class FlyCamera {
 public:
-    explicit FlyCamera(scene::CameraView view) : view_(std::move(view)) {
-        const glm::vec3 back = view_.world_from_view[2];
-        yaw_ = std::atan2(back.x, back.z);
-        pitch_ = -std::asin(std::clamp(back.y, -1.0F, 1.0F));
-    }
+    explicit FlyCamera(scene::CameraView view)
+        : view_(std::move(view)),
+          look_(app::Look::of(view_.world_from_view)) {}
 
     void move(const app::Input& input, float seconds) {
-        constexpr float kSpeed = 4.0F;           // m/s
-        constexpr float kTurn = 2.0F;            // rad/s of a stick
-        constexpr float kTurnPerPixel = 0.0025F; // rad
-        constexpr float kSteepest = 1.55F;
-        const glm::vec2 turn = input.pointer_delta_px() * kTurnPerPixel;
-        yaw_ -= turn.x + input.axis(app::Axis::right_x) * kTurn * seconds;
-        pitch_ = std::clamp(
-            pitch_ - turn.y + input.axis(app::Axis::right_y) * kTurn * seconds,
-            -kSteepest,
-            kSteepest);
-        view_.world_from_view = glm::mat3_cast(
-            glm::angleAxis(yaw_, glm::vec3(0.0F, 1.0F, 0.0F))
-            * glm::angleAxis(pitch_, glm::vec3(1.0F, 0.0F, 0.0F)));
+        constexpr float kSpeed = 4.0F; // m/s
+        look_.turn(input, seconds);
+        view_.world_from_view = look_.world_from_view();
         const glm::vec2 walk = input.walk();
         const float speed = input.down(app::Key::left_shift) ? kSpeed * 4.0F : kSpeed;
         const glm::vec3 step = view_.world_from_view * glm::vec3(walk.x, 0.0F, -walk.y);
@@ -55,8 +43,33 @@ public:
 
 private:
     scene::CameraView view_;
-    float yaw_ = 0.0F;
-    float pitch_ = 0.0F;
+    app::Look look_;
+};
+
+/// The person at the keys: walks where the level has a player, else flies.
+class Eyes {
+public:
+    Eyes(const Level& level, const scene::CameraView& camera)
+        : fly_(camera),
+          obstacles_(play::standing_triangles(level.world)) {
+        if (level.player) person_.emplace(*level.player);
+    }
+
+    void move(const app::Input& input, float seconds) {
+        if (person_) {
+            person_->move(obstacles_, input, static_cast<double>(seconds));
+        } else {
+            fly_.move(input, seconds);
+        }
+    }
+    [[nodiscard]] scene::CameraView view(const glm::ivec2& size) const {
+        return person_ ? person_->view(size) : fly_.view(size);
+    }
+
+private:
+    FlyCamera fly_;
+    play::Obstacles obstacles_;
+    std::optional<app::FirstPerson> person_;
 };
 
 engine::Result<void>
@@ -83,8 +96,9 @@ play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size)
     app::Input input;
     const auto camera = choose_camera(level, options.view.camera, size.x, size.y);
     if (!camera) return camera.error();
-    FlyCamera fly(*camera);
+    Eyes eyes(level, *camera);
     window.capture_pointer(true);
+    constexpr float kLongestFrame = 0.25F; // s
     auto before = std::chrono::steady_clock::now();
     for (int frame = 0;
          !window.should_close() && (options.window_frames == 0 || frame < options.window_frames);
@@ -93,16 +107,17 @@ play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size)
         input.advance(hands.take());
         if (input.pressed(app::Key::escape)) window.request_close();
         const auto now = std::chrono::steady_clock::now();
-        const float seconds = std::min(std::chrono::duration<float>(now - before).count(), 0.1F);
+        const float seconds =
+            std::min(std::chrono::duration<float>(now - before).count(), kLongestFrame);
         before = now;
-        fly.move(input, seconds);
-        scene::update(level.world, seconds);
+        advance(level, seconds);
+        eyes.move(input, seconds);
         const glm::ivec2 size_px = window.size_px();
         if (size_px.x == 0 || size_px.y == 0) continue;
         const gpu::Framebuffer target = window.framebuffer();
         const auto drawn = renderer.draw(
             level.world,
-            fly.view(size_px),
+            eyes.view(size_px),
             scene::placed_lights(level.world),
             &shadows,
             target,

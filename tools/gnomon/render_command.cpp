@@ -48,7 +48,7 @@ public:
 
     engine::Result<void> draw(bool with_shadows) {
         if (options_.play) {
-            scene::update(level_.world, kTimeStep);
+            advance(level_, kTimeStep);
             auto camera =
                 choose_camera(level_, options_.view.camera, camera_.width, camera_.height);
             if (!camera) return camera.error();

@@ -234,6 +234,33 @@ TEST_F(CommandLine, CheckReportsHealthAndPlans) {
     EXPECT_THAT(outcome.text, HasSubstr("pairs of light and receiver"));
 }
 
+TEST_F(CommandLine, ASoakTellsWhatItHolds) {
+    const Outcome outcome =
+        run_gl(fmt::format("play {} --seconds 1 --size 64x48", path("level.lua")));
+    SKIP_WITHOUT_GL();
+
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("30 frames"));
+    EXPECT_THAT(outcome.text, HasSubstr("nothing grew"));
+}
+
+TEST_F(CommandLine, AMistakeWhilePlayingIsToldOnceAndTheLevelGoesOn) {
+    write(
+        "acting.lua",
+        "local g = require \"gnomon\"\nreturn g.scene { on_update = function() "
+        "error(\"no more\") end,\n  g.model { shape = \"box\" } }\n");
+
+    const Outcome outcome =
+        run_gl(fmt::format("play {} --seconds 0.5 --size 64x48", path("acting.lua")));
+    SKIP_WITHOUT_GL();
+
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    const std::size_t first = outcome.text.find("acting.lua:2: no more");
+    ASSERT_NE(first, std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find("acting.lua:2: no more", first + 1), std::string::npos);
+    EXPECT_THAT(outcome.text, HasSubstr("stack traceback"));
+}
+
 TEST_F(CommandLine, PlayWithoutADisplayLeavesPicturesAndAPage) {
     const Outcome outcome = run_gl(fmt::format(
         "play {} --headless --size 64x48 --walk-seconds 0.5 --out {}",

@@ -43,6 +43,22 @@ def prism(outline, low, high, material=0):
     return Part(vertices, [tuple(reversed(range(count))), tuple(range(count, 2 * count)), *sides], material)
 
 
+def box(center, size, material=0):
+    x, y = 0.5 * size[0], 0.5 * size[1]
+    half = 0.5 * size[2]
+    return moved(prism([(-x, -y), (x, -y), (x, y), (-x, y)], -half, half, material), center)
+
+
+def scalloped(part, count, depth):
+    """Waves round the z axis that grow with the distance from it, squared."""
+    def waved(vertex):
+        x, y, z = vertex
+        factor = 1.0 + depth * (x * x + y * y) * math.cos(count * math.atan2(y, x))
+        return x * factor, y * factor, z
+
+    return part._replace(vertices=[waved(vertex) for vertex in part.vertices])
+
+
 def ellipsoid(center, radii, rings, segments, material=0):
     """Rings do not count the poles."""
     heights = [math.pi * i / (rings + 1) for i in range(1, rings + 1)]
