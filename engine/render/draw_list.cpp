@@ -131,11 +131,6 @@ private:
     DrawList list_;
 };
 
-bool contains(const engine::WorldAabb& box, const glm::dvec3& point) {
-    return glm::all(glm::greaterThanEqual(point, box.min))
-           && glm::all(glm::lessThanEqual(point, box.max));
-}
-
 /// Adds runs of neighbours that `same` holds for.
 template <class Same>
 void add_all(
@@ -199,7 +194,7 @@ DrawList build_caster_list(
     const glm::dvec3& origin,
     const std::optional<glm::dvec3>& eye) {
     const auto one_sided = [&](const DrawItem& item) {
-        return assets.meshes[item.mesh].health.closed() && !(eye && contains(item.bounds, *eye));
+        return assets.meshes[item.mesh].health.closed() && !(eye && item.bounds.contains(*eye));
     };
     const BucketOf caster = [&](const DrawItem& item,
                                 const scene::Submesh& submesh,

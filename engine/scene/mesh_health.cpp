@@ -1,6 +1,7 @@
 #include "engine/scene/mesh_health.hpp"
 
 #include "engine/core/check.hpp"
+#include "engine/core/geometry.hpp"
 #include "engine/scene/welded_edges.hpp"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -10,7 +11,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <unordered_map>
 
 namespace scene {
@@ -64,6 +68,51 @@ std::uint32_t count_doubled(std::span<const std::uint32_t> corners) {
     return static_cast<std::uint32_t>(triangles.end() - distinct);
 }
 
+/// The different planes that triangles lie in: normal and offset.
+std::vector<glm::dvec4> planes_of(
+    std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners, double size) {
+    // Planes closer than this, as parts of one and of the mesh's size, count as one.
+    constexpr double kSame = 1e-6;
+    std::map<std::array<std::int64_t, 4>, glm::dvec4> planes;
+    for (std::size_t first = 0; first < corners.size(); first += 3) {
+        const glm::dvec3 a(positions[corners[first]]);
+        const glm::dvec3 across = glm::cross(
+            glm::dvec3(positions[corners[first + 1]]) - a,
+            glm::dvec3(positions[corners[first + 2]]) - a);
+        const double length = glm::length(across);
+        if (length == 0.0) continue;
+        const glm::dvec3 normal = across / length;
+        const glm::dvec4 plane(normal, glm::dot(normal, a));
+        const auto step = [](double value) { return std::llround(value / kSame); };
+        planes.try_emplace(
+            {step(plane.x), step(plane.y), step(plane.z), step(plane.w / size)}, plane);
+    }
+    std::vector<glm::dvec4> list;
+    for (const auto& [key, plane] : planes)
+        list.push_back(plane);
+    return list;
+}
+
+/// No corner lies before the plane of any triangle.
+bool is_convex(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
+    constexpr double kFlat = 1e-5; // of the mesh's size
+    constexpr std::size_t kMostTests = 20'000'000;
+    engine::Aabb bounds;
+    for (const std::uint32_t corner : corners)
+        bounds.grow(positions[corner]);
+    const auto size = static_cast<double>(glm::length(bounds.extent()));
+    std::vector<std::uint32_t> used(corners.begin(), corners.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    const std::vector<glm::dvec4> planes = planes_of(positions, corners, size);
+    if (planes.size() * used.size() > kMostTests) return false;
+    for (const glm::dvec4& plane : planes)
+        for (const std::uint32_t corner : used)
+            if (glm::dot(glm::dvec3(plane), glm::dvec3(positions[corner])) > plane.w + kFlat * size)
+                return false;
+    return true;
+}
+
 std::uint32_t
 count_refused(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
     const QuietOpenMesh quiet;
@@ -112,6 +161,7 @@ examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t
     });
     health.doubled_triangles = count_doubled(corners);
     health.remainder_triangles = count_refused(positions, corners);
+    health.convex = health.closed() && is_convex(positions, corners);
     return health;
 }
 

@@ -25,6 +25,8 @@ struct MeshHealth {
     std::uint32_t doubled_triangles =
         0; ///< triangles that share all three corners with an earlier one
     std::uint32_t remainder_triangles = 0; ///< refused by the half-edge structure
+    bool convex = false; ///< closed, and no part of it can darken another; false where that would
+                         ///< take too long to find out
 
     /// Safe for a stencil shadow volume: a surface without edges, holes or contradictions.
     [[nodiscard]] bool closed() const {

@@ -13,6 +13,11 @@ namespace {
 /// save.
 constexpr std::size_t kSmallestCluster = 8;
 
+/// Casters as large as half of everything stand alone: in a cluster their bounds would be its
+/// bounds.
+constexpr double kLargeShare = 0.5;
+constexpr std::size_t kMostLarge = 16;
+
 CasterGroup make_group(const ShadowScene& scene, std::span<const std::uint32_t> casters) {
     CasterGroup group;
     group.casters.assign(casters.begin(), casters.end());
@@ -20,6 +25,8 @@ CasterGroup make_group(const ShadowScene& scene, std::span<const std::uint32_t> 
     for (const std::uint32_t index : casters) {
         const CasterView& caster = scene.casters[index];
         group.bounds.grow(caster.bounds);
+        group.largest_radius =
+            std::max(group.largest_radius, glm::length(caster.bounds.extent()) * 0.5);
         group.triangles += caster.triangles;
         group.hero = group.hero || caster.hero;
     }
@@ -53,6 +60,20 @@ void cluster(
     cluster(scene, casters.subspan(half), room - room / 2, groups);
 }
 
+/// Moves the large ones of `casters` to the end and returns their number.
+std::size_t part_large(const ShadowScene& scene, std::vector<std::uint32_t>& casters) {
+    engine::WorldAabb all;
+    for (const std::uint32_t index : casters)
+        all.grow(scene.casters[index].bounds);
+    const double limit = kLargeShare * glm::length(all.extent());
+    const auto large =
+        std::stable_partition(casters.begin(), casters.end(), [&](std::uint32_t index) {
+            return glm::length(scene.casters[index].bounds.extent()) < limit;
+        });
+    const auto count = static_cast<std::size_t>(casters.end() - large);
+    return count < casters.size() && count <= kMostLarge ? count : 0;
+}
+
 } // namespace
 
 std::vector<CasterGroup> group_casters(const ShadowScene& scene, const LightView& light) {
@@ -63,13 +84,18 @@ std::vector<CasterGroup> group_casters(const ShadowScene& scene, const LightView
         if (can_reach(light, caster.bounds)) (caster.hero ? heroes : others).push_back(index);
     }
     std::vector<CasterGroup> groups;
-    const std::size_t room = kMaxGroupsPerLight - (others.empty() ? 0 : 1);
+    const std::size_t large = part_large(scene, others);
+    const std::size_t room = kMaxGroupsPerLight - large - (others.empty() ? 0 : 1);
     const std::size_t alone = heroes.size() <= room ? heroes.size() : room - 1;
     const std::span<std::uint32_t> all(heroes);
     for (std::size_t i = 0; i < alone; ++i)
         groups.push_back(make_group(scene, all.subspan(i, 1)));
     if (alone < heroes.size()) groups.push_back(make_group(scene, all.subspan(alone)));
-    if (!others.empty()) cluster(scene, others, kMaxGroupsPerLight - groups.size(), groups);
+    const std::span<std::uint32_t> rest(others);
+    for (std::size_t i = rest.size() - large; i < rest.size(); ++i)
+        groups.push_back(make_group(scene, rest.subspan(i, 1)));
+    if (!others.empty())
+        cluster(scene, rest.first(rest.size() - large), kMaxGroupsPerLight - groups.size(), groups);
     return groups;
 }
 

@@ -24,6 +24,20 @@ bool ray_meets(const engine::WorldAabb& box, const glm::dvec3& direction) {
     return enter <= leave;
 }
 
+/// A box less a thousandth of each side, so that what stands on a floor does not count as under it.
+engine::WorldAabb without_skin(const engine::WorldAabb& box) {
+    const glm::dvec3 skin = box.extent() * 1e-3;
+    return {box.min + skin, box.max - skin};
+}
+
+/// A convex mesh is lit wherever it faces the light, as far as it alone is concerned.
+bool is_convex_self(
+    const ShadowScene& scene, const CasterGroup& group, const ReceiverView& receiver) {
+    if (group.casters.size() != 1) return false;
+    const CasterView& caster = scene.casters[group.casters.front()];
+    return caster.convex && caster.id == receiver.entity;
+}
+
 struct Ball {
     glm::dvec3 offset; ///< centre relative to the light
     double distance;
@@ -50,8 +64,13 @@ bool can_shadow(
         // A point of the caster moved along the light meets the receiver exactly when the ray meets
         // their difference.
         const engine::WorldAabb difference{receiver.min - caster.max, receiver.max - caster.min};
-        return ray_meets(difference, glm::dvec3(light.direction));
+        return ray_meets(without_skin(difference), glm::dvec3(light.direction));
     }
+    // A blocker lies between the light and what it darkens, along each axis.
+    engine::WorldAabb between = receiver;
+    between.grow(light.position - static_cast<double>(light.light.radius));
+    between.grow(light.position + static_cast<double>(light.light.radius));
+    if (!without_skin(between).intersects(without_skin(caster))) return false;
     const Ball blocker(caster, light.position);
     const Ball target(receiver, light.position);
     if (blocker.holds_light() || target.holds_light()) return true;
@@ -72,6 +91,24 @@ bool can_reach(const LightView& light, const engine::WorldAabb& box) {
                   <= static_cast<double>(light.light.outer_angle) + ball.half_angle();
 }
 
+bool faces(const LightView& light, const ReceiverView& receiver) {
+    if (!receiver.flat) return true;
+    if (light.light.kind == scene::LightKind::directional)
+        return glm::dot(receiver.normal, glm::dvec3(light.direction))
+               < std::sin(static_cast<double>(light.light.angular_radius));
+    const double above = glm::dot(receiver.normal, light.position) - receiver.offset;
+    return above > -static_cast<double>(light.light.radius) - receiver.residual;
+}
+
+bool stands_before(const engine::WorldAabb& caster, const ReceiverView& receiver) {
+    if (!receiver.flat) return true;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 8; ++i)
+        highest = std::max(highest, glm::dot(receiver.normal, caster.corner(i)) - receiver.offset);
+    // A patch's own mesh touches its plane, give or take rounding.
+    return highest > receiver.residual + 1e-5 * glm::length(receiver.bounds.extent());
+}
+
 std::vector<Pair>
 find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<CasterGroup>& groups) {
     const LightView& view = scene.lights[light];
@@ -81,10 +118,12 @@ find_pairs(const ShadowScene& scene, std::uint32_t light, const std::vector<Cast
         const ReceiverView& receiver = scene.receivers[index];
         if (!frustum.intersects(engine::relative_to(receiver.bounds, scene.camera.position)))
             continue;
-        if (!can_reach(view, receiver.bounds)) continue;
+        if (!can_reach(view, receiver.bounds) || !faces(view, receiver)) continue;
         Pair pair{light, index, {}};
         for (std::uint32_t group = 0; group < groups.size(); ++group)
-            if (can_shadow(view, groups[group].bounds, receiver.bounds))
+            if (!is_convex_self(scene, groups[group], receiver)
+                && stands_before(groups[group].bounds, receiver)
+                && can_shadow(view, groups[group].bounds, receiver.bounds))
                 pair.groups.push_back(group);
         if (!pair.groups.empty()) pairs.push_back(std::move(pair));
     }

@@ -37,6 +37,13 @@ bool can_shadow(
 /// Conservative.
 bool can_reach(const LightView& light, const engine::WorldAabb& box);
 
+/// True when a flat receiver faces the light somewhere; always for others. What is turned away is
+/// dark without a shadow.
+bool faces(const LightView& light, const ReceiverView& receiver);
+
+/// True when something of a box lies on the lit side of a flat receiver; always for others.
+bool stands_before(const engine::WorldAabb& caster, const ReceiverView& receiver);
+
 /// Pairs of one light, in the order of the receivers. Pairs without casters are left out: they are
 /// fully lit.
 /// @param light index into scene.lights

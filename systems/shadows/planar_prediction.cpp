@@ -42,14 +42,6 @@ double highest_corner(const LitPlane& plane, const engine::WorldAabb& box) {
     return std::min(highest, plane.most_height());
 }
 
-/// The size of a pixel where a box is nearest to the camera, metres.
-double pixel_size_at(const scene::CameraView& camera, const engine::WorldAabb& box) {
-    const glm::dvec3 nearest = glm::clamp(camera.position, box.min, box.max);
-    const double distance =
-        std::max(glm::length(nearest - camera.position), static_cast<double>(camera.near));
-    return distance * camera.pixel_size();
-}
-
 } // namespace
 
 engine::Result<Prediction> predict_planar(const PairView& pair, const CasterGroup& casters) {

@@ -1,5 +1,6 @@
 #include "systems/shadows/screen_bounds.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -65,6 +66,13 @@ PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb&
         }
     }
     return seen ? rectangle.pixels() : PixelBox{};
+}
+
+double pixel_size_at(const scene::CameraView& camera, const engine::WorldAabb& box) {
+    const glm::dvec3 nearest = glm::clamp(camera.position, box.min, box.max);
+    const double distance =
+        std::max(glm::length(nearest - camera.position), static_cast<double>(camera.near));
+    return distance * camera.pixel_size();
 }
 
 } // namespace shadows

@@ -27,4 +27,7 @@ struct PixelBox {
 /// Cost: 12 edges.
 PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb& box);
 
+/// The size of a pixel where a box is nearest to the camera, metres.
+double pixel_size_at(const scene::CameraView& camera, const engine::WorldAabb& box);
+
 } // namespace shadows

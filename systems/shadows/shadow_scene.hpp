@@ -25,9 +25,11 @@ struct CasterView {
     std::string name;
     std::uint32_t mesh = 0; ///< index into the world's meshes
     glm::dmat4 world_from_mesh = glm::dmat4(1.0);
+    engine::Aabb bounds_mesh; ///< of its vertices as posed, mesh space
     engine::WorldAabb bounds;
     bool hero = false;
     bool closed = false; ///< safe for a stencil volume, by the mesh's health
+    bool convex = false; ///< it never darkens itself
     bool deforms = false;
     bool alpha_masked = false;
     std::uint32_t triangles = 0;
@@ -53,6 +55,13 @@ struct ShadowScene {
     std::vector<LightView> lights; ///< those that are on
     std::vector<CasterView> casters;
     std::vector<ReceiverView> receivers;
+    bool everything_receives = true;   ///< no mesh was told not to
+    engine::WorldAabb receiver_bounds; ///< round all receivers
+    double nearest_m = 0.0;            ///< from the camera to the nearest receiver's bounds
+    double farthest_m = 0.0;           ///< from the camera to the farthest corner of any
 };
+
+/// Fills what sums up the receivers, once they and the camera are there.
+void measure_receivers(ShadowScene& scene);
 
 } // namespace shadows

@@ -95,16 +95,35 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
     for (auto& [key, running] : jobs_) {
         const LightView& light = scene_.lights[running.light];
         std::string wanted = fingerprint(light, running.plans);
-        if (!always_refresh && !world_changed && wanted == running.drawn_for) continue;
         const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{
-            scene_, running.light, groups, running.plans, receiver_end, wish, remedies, ask_truth};
+            scene_,
+            running.light,
+            groups,
+            running.plans,
+            receiver_end,
+            serves_all(key),
+            wish,
+            remedies,
+            ask_truth};
+        if (!always_refresh && !world_changed && wanted == running.drawn_for
+            && running.job->still_serves(request))
+            continue;
         if (auto updated = running.job->update(request); !updated) return updated;
         running.drawn_for = std::move(wanted);
         due_.push_back(&running);
     }
     return {};
+}
+
+bool ShadowSystem::serves_all(const JobKey& key) const {
+    return scene_.everything_receives
+           && std::all_of(plan_.plans.begin(), plan_.plans.end(), [&](const Plan& plan) {
+                  return plan.light != key.first
+                         || (plan.entries.size() == 1
+                             && plan.entries.front().technique == key.second);
+              });
 }
 
 const trace::TraceScene& ShadowSystem::truth(const scene::World& world) {

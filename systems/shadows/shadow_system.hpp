@@ -61,6 +61,7 @@ private:
 
     void assign_jobs();
     engine::Result<void> update_due_jobs(const render::FrameInput& input, bool world_changed);
+    [[nodiscard]] bool serves_all(const JobKey& key) const;
     const trace::TraceScene& truth(const scene::World& world);
 
     Techniques techniques_;

@@ -44,7 +44,8 @@ struct ShadowRequest {
     std::span<const CasterGroup> groups; ///< of the light
     std::span<const Plan* const> plans;  ///< the light's plans that name this job's technique
     std::uint32_t receiver_end = 0;      ///< one past the highest receiver id
-    const scene::ShadowWish& wish;       ///< scene, light and overriding wishes
+    bool serves_all = false;       ///< nothing that this light can darken is served by another job
+    const scene::ShadowWish& wish; ///< scene, light and overriding wishes
     const Remedies& remedies;
     const std::function<const trace::TraceScene&()>&
         truth; ///< ray queries, built by the first call of a frame
@@ -57,6 +58,12 @@ public:
 
     /// CPU, per refresh: fits, silhouettes.
     virtual engine::Result<void> update(const ShadowRequest& request) = 0;
+    /// Whether what was last drawn still serves the camera of this frame, nothing else having
+    /// changed. @pre update() was called
+    [[nodiscard]] virtual bool still_serves(const ShadowRequest& request) const {
+        static_cast<void>(request);
+        return true;
+    }
     /// GPU, per refresh: draws maps and textures, and fetches what apply() needs.
     /// Errors: a shader that does not compile.
     virtual engine::Result<void>

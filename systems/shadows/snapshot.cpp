@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace shadows {
 
@@ -36,10 +37,13 @@ make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& wor
     caster.name = name_of(world, entity);
     caster.mesh = mesh_index;
     caster.world_from_mesh = world_from_mesh;
+    const auto* posed = world.registry.try_get<scene::PosedMesh>(entity);
+    caster.bounds_mesh = posed != nullptr ? posed->bounds : mesh.bounds;
     caster.bounds = scene::world_bounds(world, entity);
     caster.hero = world.registry.get<scene::ShadowRole>(entity).hero;
     caster.closed = mesh.health.closed();
     caster.deforms = mesh.deforms();
+    caster.convex = mesh.health.convex && !caster.deforms;
     caster.alpha_masked = alpha_masked(world.assets, mesh);
     caster.triangles = mesh.health.triangles;
     return caster;
@@ -109,10 +113,28 @@ ShadowScene take_snapshot(
         const auto& role = world.registry.get<scene::ShadowRole>(range.entity);
         if (role.casts) scene.casters.push_back(make_caster(world, range.entity, placed));
         if (role.receives) add_receivers(scene, world, range, placed);
+        scene.everything_receives = scene.everything_receives && role.receives;
     }
     sort_by_name(scene.casters);
     sort_by_name(scene.receivers);
+    measure_receivers(scene);
     return scene;
+}
+
+void measure_receivers(ShadowScene& scene) {
+    const glm::dvec3& eye = scene.camera.position;
+    scene.receiver_bounds = {};
+    scene.nearest_m = scene.receivers.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    scene.farthest_m = 0.0;
+    for (const ReceiverView& receiver : scene.receivers) {
+        const engine::WorldAabb& bounds = receiver.bounds;
+        scene.receiver_bounds.grow(bounds);
+        const glm::dvec3 nearest = glm::clamp(eye, bounds.min, bounds.max);
+        scene.nearest_m = std::min(scene.nearest_m, glm::length(nearest - eye));
+        const glm::dvec3 farthest =
+            glm::max(glm::abs(bounds.min - eye), glm::abs(bounds.max - eye));
+        scene.farthest_m = std::max(scene.farthest_m, glm::length(farthest));
+    }
 }
 
 } // namespace shadows

@@ -30,6 +30,7 @@ TEST(MeshHealth, ATetrahedronIsClosed) {
     const MeshHealth health = examine_mesh(kTetrahedron, kTetrahedronCorners);
 
     EXPECT_TRUE(health.closed());
+    EXPECT_TRUE(health.convex);
     EXPECT_EQ(health.summary(), "closed");
     EXPECT_EQ(health.triangles, 4U);
     EXPECT_EQ(health.open_edges_by_index, 0U);

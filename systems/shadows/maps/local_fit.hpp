@@ -1,0 +1,31 @@
+// The views of maps of spot and point lights.
+
+#pragma once
+
+#include "systems/shadows/maps/map_view.hpp"
+#include "systems/shadows/shadow_scene.hpp"
+
+#include <array>
+#include <span>
+
+namespace shadows {
+
+/// A spot wider than this is the business of a cube map: the texels in its middle grow with the
+/// tangent of the angle.
+inline constexpr double kWidestSpot = 1.0471975511965976; // 60 degrees each side
+
+/// The part of the cone in which something casts: nothing else needs texels.
+/// @param casters bounds of everything that casts
+/// @param size texels per side
+/// @param border texels that filters may read beyond the window
+PyramidView
+spot_view(const LightView& light, std::span<const engine::WorldAabb> casters, int size, int border);
+
+/// Six views with square openings, in the order +x, -x, +y, -y, +z, -z. Each sees `border` texels
+/// more than a quarter turn, so that filters never look past an edge into nothing.
+std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border);
+
+/// Whether anything in a box can be seen by a view. Conservative.
+bool sees(const PyramidView& view, const engine::WorldAabb& box);
+
+} // namespace shadows

@@ -1,0 +1,46 @@
+#include "systems/shadows/maps/local_map_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadows {
+
+double pyramid_texel_of_one(const PairView& pair, double tan_half) {
+    const engine::WorldAabb& bounds = pair.receiver.bounds;
+    const glm::dvec3& light = pair.light.position;
+    // Texels grow away from the light, pixels away from the camera: the point that counts is the
+    // one nearest to the camera.
+    const glm::dvec3 shown = glm::clamp(pair.scene.camera.position, bounds.min, bounds.max);
+    const double range = static_cast<double>(pair.light.light.range);
+    return 2.0 * tan_half * std::min(glm::length(shown - light), range);
+}
+
+void LocalMapJob::fit(const ShadowRequest& /*request*/, int size) {
+    const int border = remedies().on(Remedy::map_padded_faces) ? filter_border(filter()) + 1 : 0;
+    views_.clear();
+    if (kind_ == Kind::spot) {
+        views_.push_back(spot_view(light(), caster_bounds(), size, border));
+    } else {
+        const auto faces = cube_views(light().position, size, border);
+        views_.assign(faces.begin(), faces.end());
+    }
+}
+
+int LocalMapJob::size_for(const PairView& pair, const CasterGroup& casters) const {
+    const double tan_half =
+        kind_ == Kind::spot ? std::tan(static_cast<double>(light().light.outer_angle)) : 1.0;
+    return map_size_for(pair, casters, filter(), pyramid_texel_of_one(pair, tan_half));
+}
+
+void LocalMapJob::place(const gpu::Program& mask, const scene::CameraView& camera) const {
+    const PyramidView& first = views_.front();
+    const auto size = static_cast<float>(first.size);
+    mask.set("light_from_world", glm::mat3(first.light_from_world));
+    mask.set("light_position", glm::vec3(first.position - camera.position));
+    mask.set("map_depth", glm::vec4(static_cast<float>(first.near), 0.0F, 0.0F, 0.0F));
+    mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, 0.0F));
+    const glm::dvec2 texels = static_cast<double>(first.size) / (first.max - first.min);
+    mask.set("placement[0]", glm::vec4(glm::vec2(texels), glm::vec2(-first.min * texels)));
+}
+
+} // namespace shadows

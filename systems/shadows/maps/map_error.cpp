@@ -1,0 +1,136 @@
+#include "systems/shadows/maps/map_error.hpp"
+
+#include "systems/shadows/error_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadows {
+
+namespace {
+
+/// Cosine between a flat receiver and the light; the mean over all directions for other receivers.
+double cosine_at(const PairView& pair) {
+    if (!pair.receiver.flat) return 0.7;
+    const LightView& light = pair.light;
+    const glm::dvec3 travels = light.light.kind == scene::LightKind::directional
+                                   ? glm::dvec3(light.direction)
+                                   : glm::normalize(pair.receiver.bounds.centre() - light.position);
+    return std::clamp(std::abs(glm::dot(pair.receiver.normal, travels)), 0.02, 1.0);
+}
+
+double pixels_per_metre(const PairView& pair) {
+    const scene::CameraView& camera = pair.scene.camera;
+    const glm::dvec3 nearest =
+        glm::clamp(camera.position, pair.receiver.bounds.min, pair.receiver.bounds.max);
+    const double distance =
+        std::max(glm::length(nearest - camera.position), static_cast<double>(camera.near));
+    return 1.0 / (distance * camera.pixel_size());
+}
+
+double error_px(MapFilter filter, double footprint_px, double penumbra) {
+    if (penumbra == 0.0) return edge_error_texels(filter) * footprint_px;
+    // Two centred ramps. A hard edge for a soft light differs by a quarter of its penumbra.
+    return std::abs(ramp_texels(filter) * footprint_px - penumbra) * 0.25;
+}
+
+} // namespace
+
+engine::Result<MapFilter> map_filter(const scene::ShadowWish& wish) {
+    const std::string name = wish.filter.value_or("bilinear");
+    if (name == "nearest") return MapFilter::nearest;
+    if (name == "bilinear") return MapFilter::bilinear;
+    if (name == "pcf") return MapFilter::pcf;
+    return engine::Error{fmt::format("maps cannot be filtered by '{}'", name)};
+}
+
+int filter_border(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::nearest:
+        return 1;
+    case MapFilter::bilinear:
+        return 1;
+    case MapFilter::pcf:
+        break;
+    }
+    return kPcfWidth / 2 + 1;
+}
+
+double edge_error_texels(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::nearest:
+        return 0.2422;
+    case MapFilter::bilinear:
+        return 0.332;
+    case MapFilter::pcf:
+        break;
+    }
+    return 0.762;
+}
+
+double ramp_texels(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::nearest:
+        return 0.0;
+    case MapFilter::bilinear:
+        return 1.33;
+    case MapFilter::pcf:
+        break;
+    }
+    return 3.05;
+}
+
+double texel_footprint_px(const PairView& pair, double texel_m) {
+    // The mean over the directions of an edge.
+    return texel_m / std::sqrt(cosine_at(pair)) * pixels_per_metre(pair);
+}
+
+double penumbra_px(const PairView& pair, const CasterGroup& casters) {
+    const LightView& light = pair.light;
+    const glm::dvec3 between = pair.receiver.bounds.centre() - casters.bounds.centre();
+    double width_m = 0.0;
+    if (light.light.kind == scene::LightKind::directional) {
+        const double behind = std::max(glm::dot(between, glm::dvec3(light.direction)), 0.0);
+        width_m = 2.0 * std::tan(static_cast<double>(light.light.angular_radius)) * behind;
+    } else {
+        const double before = std::max(glm::length(casters.bounds.centre() - light.position), 1e-3);
+        width_m = 2.0 * static_cast<double>(light.light.radius) * glm::length(between) / before;
+    }
+    return width_m / cosine_at(pair) * pixels_per_metre(pair);
+}
+
+int map_size_for(
+    const PairView& pair, const CasterGroup& casters, MapFilter filter, double texel_m_of_one) {
+    if (pair.wish.map_size) return *pair.wish.map_size;
+    const double penumbra = penumbra_px(pair, casters);
+    const double footprint = texel_footprint_px(pair, texel_m_of_one);
+    int size = kSmallestMap;
+    while (size < kLargestMap && error_px(filter, footprint / size, penumbra) > pair.budget_px)
+        size *= 2;
+    return size;
+}
+
+Prediction predict_map(
+    const PairView& pair,
+    const CasterGroup& casters,
+    MapFilter filter,
+    double texel_m_of_one,
+    int layers) {
+    const int size = map_size_for(pair, casters, filter, texel_m_of_one);
+    const double footprint = texel_footprint_px(pair, texel_m_of_one) / size;
+    Prediction prediction;
+    prediction.error_px = error_px(filter, footprint, penumbra_px(pair, casters));
+    prediction.error_area_px = prediction.error_px * shadow_footprint(pair, casters).length_px;
+    const double taps = filter == MapFilter::pcf ? (kPcfWidth + 1) * (kPcfWidth + 1) / 4 : 1;
+    prediction.cost.taps = taps * screen_area_px(pair.scene.camera, pair.receiver.bounds);
+    prediction.cost.vertices = static_cast<double>(casters.triangles) * 1.5;
+    // Clearing and filling are shared by every pair of the light.
+    prediction.cost.map_texels = static_cast<double>(size) * size * layers
+                                 / static_cast<double>(pair.scene.receivers.size());
+    prediction.cost.draws = 1.0;
+    return prediction;
+}
+
+} // namespace shadows

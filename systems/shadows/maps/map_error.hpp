@@ -1,0 +1,54 @@
+// How wrong a map's edges will be on screen, and how many texels keep them right enough.
+
+#pragma once
+
+#include "engine/core/result.hpp"
+#include "systems/shadows/pairs.hpp"
+#include "systems/shadows/plan.hpp"
+
+#include <cstdint>
+
+namespace shadows {
+
+enum class MapFilter : std::uint8_t { nearest, bilinear, pcf };
+
+inline constexpr int kSmallestMap = 256;
+inline constexpr int kLargestMap = 4096;
+inline constexpr int kPcfWidth = 3; ///< bilinear taps per side of MapFilter::pcf
+
+/// Errors: a filter that maps do not have.
+engine::Result<MapFilter> map_filter(const scene::ShadowWish& wish);
+
+/// Texels that the filter reads beyond the one it looks up.
+int filter_border(MapFilter filter);
+
+/// Mean error per length of edge, in texels, against a hard shadow. Source: nearest 0.2422,
+/// bilinear over 2 x 2 texels 0.332 and 3 x 3 such taps 0.762, isotropic edges over a random grid;
+/// see tests/tools/measure/constants_test.cpp.
+double edge_error_texels(MapFilter filter);
+
+/// Width of the ramp that the filter makes of a hard edge, in texels.
+double ramp_texels(MapFilter filter);
+
+/// The size of a shadow texel as the camera sees it on a receiver, pixels.
+/// @param texel_m its size across the light at the receiver, metres
+double texel_footprint_px(const PairView& pair, double texel_m);
+
+/// Width of the light's penumbra on the receiver, pixels; 0 for hard lights.
+double penumbra_px(const PairView& pair, const CasterGroup& casters);
+
+/// What a map would do for a pair.
+/// @param texel_m_of_one texel size at the receiver of a map with a single texel per side, metres
+/// @param layers of the map that the pair's light needs
+Prediction predict_map(
+    const PairView& pair,
+    const CasterGroup& casters,
+    MapFilter filter,
+    double texel_m_of_one,
+    int layers);
+
+/// Texels per side: what was asked for, else the least power of two that keeps the pair's budget.
+int map_size_for(
+    const PairView& pair, const CasterGroup& casters, MapFilter filter, double texel_m_of_one);
+
+} // namespace shadows

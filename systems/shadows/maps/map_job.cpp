@@ -1,0 +1,209 @@
+#include "systems/shadows/maps/map_job.hpp"
+
+#include "engine/gpu/pass.hpp"
+#include "engine/render/light_visibility.hpp"
+#include "systems/shadows/maps/map_view.hpp"
+#include "systems/shadows/screen_bounds.hpp"
+
+#include <fmt/format.h>
+#include <render/shared/bindings.h>
+#include <shadows/shared/receivers.h>
+
+#include <algorithm>
+#include <set>
+
+namespace shadows {
+
+namespace {
+
+gpu::RenderState state_of(const render::DrawBucket& bucket, bool pancaking) {
+    gpu::RenderState state;
+    state.cull = bucket.double_sided ? gpu::Cull::none : gpu::Cull::back;
+    state.front_face =
+        bucket.mirrored ? gpu::FrontFace::clockwise : gpu::FrontFace::counter_clockwise;
+    // Casters before the near plane keep their shadow, at depth 1.
+    state.depth_clamp = pancaking;
+    return state;
+}
+
+std::string filter_define(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::nearest:
+        return "FILTER_NEAREST";
+    case MapFilter::bilinear:
+        return "FILTER_BILINEAR";
+    case MapFilter::pcf:
+        break;
+    }
+    return "FILTER_PCF";
+}
+
+gpu::Rect shared_part(const gpu::Rect& area, const PixelBox& box) {
+    const int left = std::max(area.x, box.left);
+    const int bottom = std::max(area.y, box.bottom);
+    const int right = std::min(area.x + area.width, box.right);
+    const int top = std::min(area.y + area.height, box.top);
+    return {left, bottom, right - left, top - bottom};
+}
+
+const ReceiverView* find_receiver(const ShadowScene& scene, std::uint32_t id) {
+    for (const ReceiverView& receiver : scene.receivers)
+        if (receiver.id == id) return &receiver;
+    return nullptr;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> groups_of(const ShadowRequest& request, std::string_view technique) {
+    std::set<std::uint32_t> groups;
+    for (const Plan* plan : request.plans)
+        for (const PlanEntry& entry : plan->entries)
+            if (entry.technique == technique)
+                groups.insert(entry.caster_groups.begin(), entry.caster_groups.end());
+    return {groups.begin(), groups.end()};
+}
+
+engine::Result<void> MapJob::update(const ShadowRequest& request) {
+    light_ = request.scene.lights[request.light];
+    remedies_ = request.remedies;
+    serves_all_ = request.serves_all;
+    camera_ = request.scene.camera;
+    const auto filter = map_filter(request.wish);
+    if (!filter) return filter.error();
+    filter_ = *filter;
+    casters_.clear();
+    bounds_.clear();
+    for (const std::uint32_t group : groups_of(request, technique_)) {
+        bounds_.push_back(request.groups[group].bounds);
+        for (const std::uint32_t caster : request.groups[group].casters)
+            casters_.push_back(request.scene.casters[caster].id);
+    }
+    std::sort(casters_.begin(), casters_.end());
+    receivers_.assign(request.plans, request.receiver_end);
+    served_ = {};
+    int size = kSmallestMap;
+    for (const Plan* plan : request.plans) {
+        const ReceiverView* receiver = find_receiver(request.scene, plan->receiver);
+        served_.grow(receiver->bounds);
+        const PairView pair{request.scene, light_, *receiver, request.wish, plan->budget_px};
+        for (const PlanEntry& entry : plan->entries)
+            if (entry.technique == technique_)
+                for (const std::uint32_t group : entry.caster_groups)
+                    size = std::max(size, size_for(pair, request.groups[group]));
+    }
+    size_ = request.wish.map_size.value_or(size);
+    fit(request, size_);
+    return {};
+}
+
+engine::Result<void> MapJob::resize() {
+    const gpu::Wrap wrap = remedies_.on(Remedy::map_lit_outside) ? gpu::Wrap::clamp_to_border
+                                                                 : gpu::Wrap::clamp_to_edge;
+    if (map_ && map_.width() == size_ && map_.layers() == layers()
+        && map_.description().sampling.wrap == wrap)
+        return {};
+    layers_.clear();
+    map_ = gpu::Texture(
+        fmt::format("{}/{}", light_.name, technique_),
+        {.kind = gpu::TextureKind::array,
+         .format = gpu::Format::depth32f,
+         .width = size_,
+         .height = size_,
+         .layers = layers(),
+         // The border is infinitely far: lit.
+         .sampling = {.wrap = wrap}});
+    for (int layer = 0; layer < layers(); ++layer) {
+        auto target = gpu::Framebuffer::make(
+            fmt::format("{}/{} {}", light_.name, technique_, layer),
+            {.depth = gpu::Attachment{&map_, 0, layer}});
+        if (!target) return target.error();
+        layers_.push_back({*std::move(target), nullptr});
+    }
+    return {};
+}
+
+engine::Result<void>
+MapJob::render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geometry& geometry) {
+    if (auto sized = resize(); !sized) return sized;
+    for (int layer = 0; layer < layers(); ++layer)
+        if (auto drawn = render_layer(frame, shaders, geometry, layer); !drawn) return drawn;
+    gpu::Defines defines = mask_defines();
+    defines.push_back(filter_define(filter_));
+    defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
+    if (serves_all_) defines.emplace_back("EVERY_RECEIVER");
+    if (!remedies_.on(Remedy::map_receiver_plane)) defines.emplace_back("FLAT_DEPTH");
+    const auto mask = shaders.graphics("shadows/map_mask.vert", "shadows/map_mask.frag", defines);
+    if (!mask) return mask.error();
+    mask_ = *mask;
+    return {};
+}
+
+engine::Result<void> MapJob::render_layer(
+    gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geometry& geometry, int layer) {
+    const bool local = light_.light.kind != scene::LightKind::directional;
+    // Instances lie relative to something near, so that floats are enough.
+    const glm::dvec3 origin = local ? light_.position : camera_.position;
+    const std::optional<glm::dvec3> eye = local ? std::optional(light_.position) : std::nullopt;
+    const glm::mat4 seen = camera_.clip_from_relative();
+    std::vector<const render::DrawItem*> items;
+    for (const render::DrawItem& item : geometry.items) {
+        if (!std::binary_search(casters_.begin(), casters_.end(), item.entity.value)) continue;
+        if (!reaches(layer, item.bounds)) continue;
+        items.push_back(&item);
+    }
+    if (!remedies_.on(Remedy::map_swept_casters))
+        std::erase_if(items, [&](const render::DrawItem* item) {
+            return !engine::frustum_from_clip(seen).intersects(
+                engine::relative_to(item->bounds, camera_.position));
+        });
+    const render::DrawList list =
+        render::build_caster_list(items, geometry.world.assets, geometry.pool, origin, eye);
+    Layer& into = layers_[static_cast<std::size_t>(layer)];
+    if (into.draws == nullptr)
+        into.draws = std::make_unique<render::DrawRuns>(technique_, geometry.pool);
+    into.draws->upload(list);
+    const glm::dmat4 from_origin = glm::translate(glm::dmat4(1.0), origin);
+    const glm::mat4 clip_from_relative(clip_from_map() * map_from_world(layer) * from_origin);
+
+    const gpu::ScopedPass pass(
+        frame, fmt::format("{}/{}/render", light_.name, technique_), into.target, {.depth = 0.0F});
+    frame.counters().map_texels +=
+        static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(size_);
+    for (const render::DrawList::Run& run : list.runs) {
+        gpu::Defines defines;
+        if (run.bucket.alpha_masked) defines.emplace_back("ALPHA_MASKED");
+        const auto program =
+            shaders.graphics("shadows/map_depth.vert", "shadows/map_depth.frag", defines);
+        if (!program) return program.error();
+        (*program)->set("map_clip_from_relative", clip_from_relative);
+        frame.state(state_of(run.bucket, remedies_.on(Remedy::map_pancaking)));
+        if (run.bucket.alpha_masked)
+            geometry.textures.get(run.bucket.texture).bind(UNIT_BASE_COLOR);
+        into.draws->draw(frame, **program, run);
+    }
+    return {};
+}
+
+void MapJob::apply(
+    gpu::Frame& frame, const scene::CameraView& camera, const render::VisibilityTarget& target) {
+    const gpu::Rect area = shared_part(target.area, screen_bounds(camera, served_));
+    if (area.empty()) return;
+    const gpu::ScopedPass pass(
+        frame, fmt::format("{}/{}/mask", light_.name, technique_), target.mask);
+    gpu::RenderState state = gpu::kScreenState;
+    state.blend = gpu::Blend::min;
+    state.scissor = area;
+    frame.state(state);
+    place(*mask_, camera);
+    receivers_.bind();
+    target.gbuffer.bind(UNIT_GBUFFER);
+    target.depth.bind(UNIT_DEPTH);
+    map_.bind(UNIT_VISIBILITY);
+    frame.draw_fullscreen(*mask_);
+    const auto pixels =
+        static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+    frame.counters().mask_fragments += pixels;
+    frame.counters().taps += filter_ == MapFilter::pcf ? pixels * 4 : pixels;
+}
+
+} // namespace shadows

@@ -1,0 +1,61 @@
+// Reads a map: how much of the light passes at a place.
+//
+// FILTER_NEAREST, FILTER_BILINEAR (2 x 2 texels), or FILTER_PCF: the mean of PCF_WIDTH x PCF_WIDTH bilinear taps.
+
+#include "render/shared/bindings.h"
+#include "shadows/shared/receivers.h"
+
+layout(binding = UNIT_VISIBILITY) uniform sampler2DArray shadow_map;
+
+// The depth of the receiver's plane at a point of the map.
+float plane_depth(MapPlace at, vec2 texel) {
+#ifdef FLAT_DEPTH
+    return at.depth;
+#else
+    return at.depth + dot(at.slope, texel - at.texel) + at.slack;
+#endif
+}
+
+// Four texels whose lower left one has its centre at `texel`: 1 where the light passes. Lower left, lower right, upper
+// left, upper right.
+vec4 passes(MapPlace at, vec2 texel, float per_map) {
+    vec4 stored = textureGather(shadow_map, vec3((texel + 0.5) * per_map, at.layer)).wzxy;
+    vec4 receiver = vec4(
+        plane_depth(at, texel),
+        plane_depth(at, texel + vec2(1.0, 0.0)),
+        plane_depth(at, texel + vec2(0.0, 1.0)),
+        plane_depth(at, texel + vec2(1.0, 1.0)));
+    return step(stored, receiver);
+}
+
+// @param per_map one over the texels per side
+float light_through(MapPlace at, float per_map) {
+#ifdef FILTER_NEAREST
+    vec2 centre = floor(at.texel) + 0.5;
+    float stored = textureLod(shadow_map, vec3(centre * per_map, at.layer), 0.0).r;
+    return step(stored, plane_depth(at, centre));
+#else
+    vec2 first = floor(at.texel - 0.5) + 0.5;
+    vec2 part = at.texel - first;
+#ifdef FILTER_BILINEAR
+    vec4 lit = passes(at, first, per_map);
+    vec2 row = mix(lit.xz, lit.yw, part.x);
+    return mix(row.x, row.y, part.y);
+#else
+    const int REACH = PCF_WIDTH / 2; // texels before the first of the middle tap
+    float sum = 0.0;
+    for (int y = -REACH; y <= REACH; y += 2) {
+        for (int x = -REACH; x <= REACH; x += 2) {
+            vec4 lit = passes(at, first + vec2(x, y), per_map);
+            vec4 weights = vec4(1.0);
+            if (x == -REACH) weights.xz *= 1.0 - part.x;
+            if (x + 1 == REACH + 1) weights.yw *= part.x;
+            if (y == -REACH) weights.xy *= 1.0 - part.y;
+            if (y + 1 == REACH + 1) weights.zw *= part.y;
+            sum += dot(lit, weights);
+        }
+    }
+    return sum / float(PCF_WIDTH * PCF_WIDTH);
+#endif
+#endif
+}

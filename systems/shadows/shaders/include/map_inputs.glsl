@@ -1,0 +1,13 @@
+// What the mask of a shadow map knows of its map, from vertex shader to fragment shader.
+//
+// MAP_LAYERS: cascades of a parallel map; 1 for pyramids, whose faces lie alike.
+
+struct MapInputs {
+    vec3 right; // the light's axes, world space
+    vec3 up;
+    vec3 along;
+    vec3 light; // pyramid: position of the light, relative space
+    vec4 depth;
+    vec4 size;
+    vec4 placement[MAP_LAYERS];
+};

@@ -1,0 +1,71 @@
+// Where a point of a plane lies in a map, for every kind of map.
+//
+// A receiver is a plane, and a plane stays one in map space, for parallel and for perspective rays alike: depth is an
+// affine function of the texel. So the depth to compare with is known at the centre of every texel that a filter reads,
+// and no bias is needed to keep a slanted receiver out of its own shadow.
+// Source of the idea: H. Dou et al., "Adaptive Depth Bias for Shadow Maps", JCGT 2014.
+
+// The receiver under a pixel. Its normal is known twice: from the change of position between pixels (exact inside a
+// triangle, mixed where two meet, nonsense across silhouettes) and as it is shaded (smooth over curved surfaces). The
+// depth between the two is not known; with one of them nonsense, several texels of depth are not.
+struct Receiver {
+    vec3 point;
+    vec3 normal; // any length, like the other
+    vec3 shaded;
+    float unknown_texels;
+};
+
+struct MapPlace {
+    vec2 texel; // from the lower left corner of the map; centres lie at halves
+    float layer;
+    float depth;
+    vec2 slope; // depth per texel along the receiver
+    float slack; // depth that rounding may take away
+};
+
+// Rounding of a plane's normal and position: far below what any filter shows.
+const float ROUNDING_TEXELS = 0.05;
+const float SILHOUETTE_TEXELS = 2.0;
+
+float slack_of(Receiver receiver, float depth_per_texel, vec2 slope, vec2 shaded_slope) {
+    vec2 unknown = abs(slope - shaded_slope);
+    return receiver.unknown_texels * (depth_per_texel + abs(slope.x) + abs(slope.y))
+        + FILTER_REACH * (unknown.x + unknown.y);
+}
+
+#ifdef PARALLEL
+vec2 tilt_across(MapInputs map, vec3 normal) {
+    return -vec2(dot(map.right, normal), dot(map.up, normal)) / dot(map.along, normal);
+}
+
+MapPlace place_parallel(MapInputs map, Receiver receiver, int layer) {
+    vec4 place = map.placement[layer];
+    vec3 point = receiver.point;
+    MapPlace at;
+    at.texel = vec2(dot(map.right, point), dot(map.up, point)) * place.xy + place.zw;
+    at.layer = float(layer);
+    at.depth = dot(map.along, point) * map.depth.x + map.depth.y;
+    vec2 per_texel = map.depth.x / place.xy;
+    at.slope = tilt_across(map, receiver.normal) * per_texel;
+    vec2 shaded_slope = tilt_across(map, receiver.shaded) * per_texel;
+    at.slack = slack_of(receiver, max(-per_texel.x, -per_texel.y), at.slope, shaded_slope);
+    return at;
+}
+#else
+// @param receiver in the axes of the view: right, up, forward
+MapPlace place_pyramid(MapInputs map, Receiver receiver, float layer) {
+    vec3 point = receiver.point;
+    float near = map.depth.x;
+    vec4 place = map.placement[0];
+    vec2 per_texel = 1.0 / place.xy; // of right and up over forward
+    vec2 over_forward = point.xy / point.z;
+    MapPlace at;
+    at.texel = over_forward * place.xy + place.zw;
+    at.layer = layer;
+    at.depth = near / point.z;
+    at.slope = receiver.normal.xy * (near / dot(receiver.normal, point)) * per_texel;
+    vec2 shaded_slope = receiver.shaded.xy * (near / dot(receiver.shaded, point)) * per_texel;
+    at.slack = slack_of(receiver, max(per_texel.x, per_texel.y) * at.depth, at.slope, shaded_slope);
+    return at;
+}
+#endif

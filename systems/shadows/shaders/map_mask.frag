@@ -1,0 +1,126 @@
+#version 450 core
+// Visibility by looking into a shadow map, for the receivers of its plans.
+//
+// PARALLEL with MAP_LAYERS cascades, SPOT, or CUBE; a filter of map_filter.glsl; EVERY_RECEIVER where the job serves
+// them all.
+
+#include "render/shared/bindings.h"
+#include "render/include/gbuffer.glsl"
+// Texels from a place to the farthest centre that the filter reads, along an axis.
+#if defined(FILTER_NEAREST)
+#define FILTER_REACH 0.5
+#elif defined(FILTER_BILINEAR)
+#define FILTER_REACH 1.0
+#else
+#define FILTER_REACH (0.5 * float(PCF_WIDTH + 1))
+#endif
+
+#include "shadows/include/map_inputs.glsl"
+#include "shadows/include/map_place.glsl"
+#include "shadows/include/map_filter.glsl"
+#ifndef EVERY_RECEIVER
+#include "shadows/include/receivers.glsl"
+#endif
+
+layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
+layout(binding = UNIT_DEPTH) uniform sampler2D depth_buffer;
+
+noperspective in vec3 ray;
+flat in MapInputs map;
+
+layout(location = 0) out float visibility;
+
+// @param to_light from the receiver, any length
+Receiver receiver_at(vec3 point, vec3 shaded, vec3 to_light, uint id) {
+    vec3 across = cross(dFdxFine(point), dFdyFine(point));
+    float cosine = dot(across, shaded) * inversesqrt(max(dot(across, across) * dot(shaded, shaded), 1e-30));
+    across *= sign(cosine);
+    float change = abs(dFdxFine(float(id))) + abs(dFdyFine(float(id)));
+    bool inside = abs(cosine) > 0.8 && change == 0.0 && dot(across, to_light) > 0.0;
+    return Receiver(point, inside ? across : shaded, shaded, inside ? ROUNDING_TEXELS : SILHOUETTE_TEXELS);
+}
+
+#ifdef PARALLEL
+// Texels between a place and the nearest border that filters may not pass; negative outside.
+float depth_inside(MapInputs map, MapPlace at) {
+    vec2 inside = min(at.texel, map.size.x - at.texel) - map.size.w;
+    return min(inside.x, inside.y);
+}
+
+float light_at(MapInputs map, Receiver receiver) {
+    MapPlace at = place_parallel(map, receiver, MAP_LAYERS - 1);
+#if MAP_LAYERS > 1
+    MapPlace next = at;
+    for (int layer = MAP_LAYERS - 2; layer >= 0; --layer) {
+        MapPlace finer = place_parallel(map, receiver, layer);
+        if (depth_inside(map, finer) >= 0.0) {
+            next = at;
+            at = finer;
+        }
+    }
+    float lit = light_through(at, map.size.y);
+#ifndef SUDDEN_SEAMS
+    // The last tenth of a cascade fades into the next.
+    float share = depth_inside(map, at) / (0.1 * map.size.x);
+    if (share < 1.0 && at.layer < float(MAP_LAYERS - 1))
+        lit = mix(light_through(next, map.size.y), lit, max(share, 0.0));
+#endif
+    return lit;
+#else
+    return light_through(at, map.size.y);
+#endif
+}
+#endif
+
+#ifdef SPOT
+float light_at(MapInputs map, Receiver receiver) {
+    mat3 axes = transpose(mat3(map.right, map.up, map.along));
+    Receiver seen = Receiver(
+        axes * (receiver.point - map.light), axes * receiver.normal, axes * receiver.shaded, receiver.unknown_texels);
+    if (seen.point.z <= 0.0) return 1.0;
+    return light_through(place_pyramid(map, seen, 0.0), map.size.y);
+}
+#endif
+
+#ifdef CUBE
+// The axis that leads is forward; the other two follow in turn. shadows::cube_views lays its faces alike.
+// @param leading 0 x, 1 y, 2 z
+vec3 face_axes(vec3 v, int leading, float side) {
+    vec3 turned = leading == 0 ? v : leading == 1 ? v.yzx : v.zxy;
+    return vec3(-side * turned.y, turned.z, side * turned.x);
+}
+
+float light_at(MapInputs map, Receiver receiver) {
+    vec3 offset = receiver.point - map.light;
+    vec3 size = abs(offset);
+    int leading = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    float side = sign(leading == 0 ? offset.x : leading == 1 ? offset.y : offset.z);
+    Receiver seen = Receiver(
+        face_axes(offset, leading, side),
+        face_axes(receiver.normal, leading, side),
+        face_axes(receiver.shaded, leading, side),
+        receiver.unknown_texels);
+    float face = float(2 * leading) + (side > 0.0 ? 0.0 : 1.0);
+    return light_through(place_pyramid(map, seen, face), map.size.y);
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec2 surface = texelFetch(gbuffer, pixel, 0).xy;
+    uint id = surface_receiver(surface);
+    vec3 point = ray / texelFetch(depth_buffer, pixel, 0).r;
+#ifdef PARALLEL
+    vec3 to_light = -map.along;
+#else
+    vec3 to_light = map.light - point;
+#endif
+    Receiver receiver = receiver_at(point, surface_direction(surface), to_light, id);
+    // What is turned away gets no light of this lamp, whatever the map says.
+    visibility = dot(receiver.normal, to_light) > 0.0 ? light_at(map, receiver) : 0.0;
+#ifdef EVERY_RECEIVER
+    if (id == 0u) visibility = 1.0;
+#else
+    if (!serves(id)) visibility = 1.0;
+#endif
+}

@@ -1,0 +1,159 @@
+// Shadow maps of a directional light in cascades: right for anything, at the price of drawing every
+// caster again. Their edges are as coarse as a texel on screen; casters thinner than a texel are
+// missed now and then.
+
+#include "systems/shadows/maps/cascade_fit.hpp"
+#include "systems/shadows/maps/map_error.hpp"
+#include "systems/shadows/maps/map_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shadows {
+
+namespace {
+
+/// What of a frame decides where cascades lie, besides their size.
+struct Layout {
+    DepthRange range;
+    int count = 1;
+};
+
+Layout layout_of(
+    const ShadowScene& scene,
+    const scene::ShadowWish& wish,
+    const std::optional<DepthRange>& before) {
+    Layout layout;
+    layout.range = steady_range(wanted_range(scene), before);
+    layout.count = std::clamp(wish.cascades.value_or(cascade_count(layout.range)), 1, kMaxCascades);
+    return layout;
+}
+
+/// Texel of a single-texel map at the pair's receiver, metres across the light: that of the cascade
+/// in which the receiver's nearest point lies.
+double texel_of_one(const PairView& pair) {
+    const scene::CameraView& camera = pair.scene.camera;
+    const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
+    const glm::dvec3 nearest =
+        glm::clamp(camera.position, pair.receiver.bounds.min, pair.receiver.bounds.max);
+    const double distance = glm::length(nearest - camera.position);
+    const auto depths = split_depths(layout.range, layout.count);
+    const auto found =
+        std::find_if(depths.begin(), depths.end(), [&](double depth) { return depth >= distance; });
+    // The sphere round a slice is about as wide as its far end.
+    const double far = found == depths.end() ? depths.back() : *found;
+    const double half_width = std::tan(static_cast<double>(camera.fov_y) * 0.5) * far;
+    return 2.0 * half_width * std::hypot(1.0, camera.aspect());
+}
+
+class CascadedJob final : public MapJob {
+public:
+    CascadedJob() : MapJob("cascaded_map") {}
+
+    [[nodiscard]] bool still_serves(const ShadowRequest& request) const override {
+        const auto views = fit_cascades(requested(request), remedies());
+        const Layout layout = layout_of(request.scene, request.wish, range_);
+        if (!(layout.range == *range_) || views.size() != views_.size()) return false;
+        for (std::size_t i = 0; i < views.size(); ++i)
+            if (views[i].min != views_[i].min || views[i].texel != views_[i].texel) return false;
+        return true;
+    }
+
+protected:
+    void fit(const ShadowRequest& request, int size) override {
+        size_ = size;
+        range_ = layout_of(request.scene, request.wish, range_).range;
+        axes_ = light_axes(glm::dvec3(light().direction), axes_, remedies());
+        views_ = fit_cascades(requested(request), remedies());
+    }
+    [[nodiscard]] int layers() const override { return static_cast<int>(views_.size()); }
+    [[nodiscard]] glm::dmat4 map_from_world(int layer) const override {
+        return views_[static_cast<std::size_t>(layer)].map_from_world();
+    }
+    [[nodiscard]] bool reaches(int layer, const engine::WorldAabb& caster) const override {
+        return shadows::reaches(views_[static_cast<std::size_t>(layer)], caster);
+    }
+    [[nodiscard]] int size_for(const PairView& pair, const CasterGroup& casters) const override {
+        return map_size_for(pair, casters, filter(), texel_of_one(pair));
+    }
+    [[nodiscard]] gpu::Defines mask_defines() const override {
+        gpu::Defines defines = {"PARALLEL", fmt::format("MAP_LAYERS={}", layers())};
+        if (!remedies().on(Remedy::map_blended_seams)) defines.emplace_back("SUDDEN_SEAMS");
+        return defines;
+    }
+
+    void place(const gpu::Program& mask, const scene::CameraView& camera) const override {
+        const ParallelView& first = views_.front();
+        const glm::dvec3 eye = first.light_from(camera.position);
+        const double per_metre = -1.0 / (first.farthest - first.nearest);
+        mask.set("light_from_world", glm::mat3(first.light_from_world));
+        mask.set(
+            "map_depth",
+            glm::vec4(
+                static_cast<float>(per_metre),
+                static_cast<float>((eye.z - first.farthest) * per_metre),
+                0.0F,
+                0.0F));
+        mask.set("light_position", glm::vec3(0.0F));
+        const auto size = static_cast<float>(first.size);
+        const auto border = static_cast<float>(filter_border(filter()));
+        mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, border));
+        for (std::size_t i = 0; i < views_.size(); ++i) {
+            const ParallelView& view = views_[i];
+            const glm::dvec2 texel = (glm::dvec2(eye) - view.min) / view.texel;
+            mask.set(
+                fmt::format("placement[{}]", i),
+                glm::vec4(glm::vec2(1.0 / view.texel), glm::vec2(texel)));
+        }
+    }
+
+private:
+    [[nodiscard]] CascadeRequest requested(const ShadowRequest& request) const {
+        const Layout layout = layout_of(request.scene, request.wish, range_);
+        return {
+            request.scene.camera,
+            *axes_,
+            request.scene.receiver_bounds,
+            caster_bounds(),
+            layout.range,
+            layout.count,
+            size_};
+    }
+
+    int size_ = 0;
+    std::optional<DepthRange> range_;
+    std::optional<glm::dmat3> axes_;
+    std::vector<ParallelView> views_;
+};
+
+class CascadedMap final : public ShadowTechnique {
+public:
+    [[nodiscard]] const TechniqueTraits& traits() const override {
+        static constexpr TechniqueTraits kTraits{
+            "cascaded_map", "one to four stable shadow maps of a directional light"};
+        return kTraits;
+    }
+
+    [[nodiscard]] engine::Result<Prediction>
+    predict(const PairView& pair, const CasterGroup& casters) const override {
+        if (pair.light.light.kind != scene::LightKind::directional)
+            return engine::Error{"it serves directional lights"};
+        const auto filter = map_filter(pair.wish);
+        if (!filter) return filter.error();
+        const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
+        return predict_map(pair, casters, *filter, texel_of_one(pair), layout.count);
+    }
+
+    [[nodiscard]] std::unique_ptr<ShadowJob> start() const override {
+        return std::make_unique<CascadedJob>();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<ShadowTechnique> make_cascaded_map() {
+    return std::make_unique<CascadedMap>();
+}
+
+} // namespace shadows
