@@ -95,7 +95,7 @@ local things = {
   model("jar_gate", "jar", { 3.4, 0, 8.3 }, 80),
   model("bench_west", "bench", { -4.4, 0, -8.5 }),
   model("bench_east", "bench", { 1.6, 0, -8.5 }),
-  model("cypress_court", "cypress", { -6.6, 0, -6.6 }),
+  model("cypress_court", "cypress", { -7.1, 0, -8 }),
   model("cypress_north_1", "cypress", { -1.4, 0, -7.7 }, 70),
   model("cypress_north_2", "cypress", { 4.4, 0, -7.7 }, 200),
 }
@@ -177,7 +177,7 @@ return g.scene {
   g.camera { name = "arcade", position = { -10.5, 1.8, 7.6 }, look_at = { -9.9, 1.6, -4 }, fov = 62 },
   g.camera { name = "between_columns", position = { -10.1, 1.7, -5.6 }, look_at = { -3.5, 1.2, -3.9 }, fov = 50 },
   g.camera { name = "by_statue", position = { -5.3, 1.5, -3.9 }, look_at = { -2.6, 1.35, 0.4 }, fov = 50 },
-  g.camera { name = "by_stairs", position = { 3.4, 1.9, 0.9 }, look_at = { 8.6, 0.9, -4 }, fov = 55 },
+  g.camera { name = "by_stairs", position = { 5.3, 1.8, 0.8 }, look_at = { 8.9, 0.9, -4.4 }, fov = 55 },
   g.camera { name = "by_chamber", position = { 4.6, 1.7, 4.4 }, look_at = { 9.4, 1.1, 6.4 }, fov = 58 },
   g.camera { name = "in_chamber", position = { 7.6, 1.7, 4.95 }, look_at = { 10.4, 0.9, 8 }, fov = 68 },
   g.camera { name = "on_terrace", position = { 6.9, 2.9, -5.6 }, look_at = { -2.5, 0.6, 1 }, fov = 60 },

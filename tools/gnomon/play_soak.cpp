@@ -14,7 +14,7 @@ namespace gnomon {
 
 namespace {
 
-constexpr double kStep = 1.0 / 30.0;           // s
+constexpr double kStep = 1.0 / 15.0;           // s
 constexpr double kWarmUp = 60.0;               // s, or half of a shorter soak
 constexpr std::int64_t kMemoryBound = 8 << 20; // bytes: what the allocator may keep for itself
 constexpr double kBytesPerMib = 1 << 20;

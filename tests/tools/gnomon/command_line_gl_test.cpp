@@ -240,7 +240,7 @@ TEST_F(CommandLine, ASoakTellsWhatItHolds) {
     SKIP_WITHOUT_GL();
 
     EXPECT_EQ(outcome.code, 0) << outcome.text;
-    EXPECT_THAT(outcome.text, HasSubstr("30 frames"));
+    EXPECT_THAT(outcome.text, HasSubstr("15 frames"));
     EXPECT_THAT(outcome.text, HasSubstr("nothing grew"));
 }
 
