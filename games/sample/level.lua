@@ -170,7 +170,7 @@ return g.scene {
       { 8.4, 0, 5.7 }, { 7, 0, 5.45 }, { 5, 0, 5.8 }, { 2.4, 0, 6.8 }, { 0.4, 0, 6.6 },
     },
   },
-  g.player { position = { 0.6, 0, 7.2 }, heading = 35, speed = 1.8, path = "round" },
+  g.player { position = { 0.6, 0, 7.2 }, heading = 35, speed = 2, path = "round" },
 
   g.camera { name = "court", position = { 3.4, 2.3, 8 }, look_at = { -2, 0.9, -0.5 }, fov = 58 },
   g.camera { name = "by_sundial", position = { -3.4, 1.75, 5 }, look_at = { -5, 0.95, 2.6 }, fov = 50 },

@@ -12,7 +12,7 @@
 
 namespace gnomon {
 
-inline constexpr int kFilmFramesPerSecond = 20;
+inline constexpr int kFilmFramesPerSecond = 15;
 
 /// Does nothing where ffmpeg is not installed.
 class Film {
