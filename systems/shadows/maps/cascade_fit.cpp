@@ -116,11 +116,18 @@ void snap(ParallelView& view) {
     view.min = glm::floor(view.min / view.texel) * view.texel;
 }
 
+/// To 24 bits. A cast to float and back is taken out again by GCC 12 when it vectorises.
+double as_float(double value) {
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, 24)), exponent - 24);
+}
+
 /// What the same arithmetic gives in floats, far from the origin.
 void round_to_floats(ParallelView& view) {
-    view.min = glm::dvec2(glm::vec2(view.min));
-    view.nearest = static_cast<double>(static_cast<float>(view.nearest));
-    view.farthest = static_cast<double>(static_cast<float>(view.farthest));
+    view.min = {as_float(view.min.x), as_float(view.min.y)};
+    view.nearest = as_float(view.nearest);
+    view.farthest = as_float(view.farthest);
 }
 
 /// Across the light, where something casts and something receives.

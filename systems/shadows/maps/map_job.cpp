@@ -97,11 +97,7 @@ engine::Result<void> MapJob::update(const ShadowRequest& request) {
 }
 
 engine::Result<void> MapJob::resize() {
-    const gpu::Wrap wrap = remedies_.on(Remedy::map_lit_outside) ? gpu::Wrap::clamp_to_border
-                                                                 : gpu::Wrap::clamp_to_edge;
-    if (map_ && map_.width() == size_ && map_.layers() == layers()
-        && map_.description().sampling.wrap == wrap)
-        return {};
+    if (map_ && map_.width() == size_ && map_.layers() == layers()) return {};
     layers_.clear();
     map_ = gpu::Texture(
         fmt::format("{}/{}", light_.name, technique_),
@@ -111,7 +107,7 @@ engine::Result<void> MapJob::resize() {
          .height = size_,
          .layers = layers(),
          // The border is infinitely far: lit.
-         .sampling = {.wrap = wrap}});
+         .sampling = {.wrap = gpu::Wrap::clamp_to_border}});
     for (int layer = 0; layer < layers(); ++layer) {
         auto target = gpu::Framebuffer::make(
             fmt::format("{}/{} {}", light_.name, technique_, layer),
@@ -132,6 +128,7 @@ MapJob::render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geo
     defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
     if (serves_all_) defines.emplace_back("EVERY_RECEIVER");
     if (!remedies_.on(Remedy::map_receiver_plane)) defines.emplace_back("FLAT_DEPTH");
+    if (!remedies_.on(Remedy::map_no_constant_bias)) defines.emplace_back("CONSTANT_BIAS=0.2");
     const auto mask = shaders.graphics("shadows/map_mask.vert", "shadows/map_mask.frag", defines);
     if (!mask) return mask.error();
     mask_ = *mask;

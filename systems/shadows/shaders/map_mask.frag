@@ -42,33 +42,37 @@ Receiver receiver_at(vec3 point, vec3 shaded, vec3 to_light, uint id) {
 
 #ifdef PARALLEL
 // Texels between a place and the nearest border that filters may not pass; negative outside.
-float depth_inside(MapInputs map, MapPlace at) {
-    vec2 inside = min(at.texel, map.size.x - at.texel) - map.size.w;
+float depth_inside(MapInputs map, vec2 texel) {
+    vec2 inside = min(texel, map.size.x - texel) - map.size.w;
     return min(inside.x, inside.y);
 }
 
 float light_at(MapInputs map, Receiver receiver) {
-    MapPlace at = place_parallel(map, receiver, MAP_LAYERS - 1);
-#if MAP_LAYERS > 1
-    MapPlace next = at;
-    for (int layer = MAP_LAYERS - 2; layer >= 0; --layer) {
-        MapPlace finer = place_parallel(map, receiver, layer);
-        if (depth_inside(map, finer) >= 0.0) {
-            next = at;
-            at = finer;
-        }
+    Across seen = across_light(map, receiver);
+    const int LAST = MAP_LAYERS - 1;
+    vec4 placement = map.placement[LAST];
+    vec4 next_placement = placement;
+    float layer = float(LAST);
+    float inside = depth_inside(map, texel_in(seen, placement));
+    for (int finer = LAST - 1; finer >= 0; --finer) {
+        float inside_finer = depth_inside(map, texel_in(seen, map.placement[finer]));
+        bool better = inside_finer >= 0.0;
+        next_placement = better ? placement : next_placement;
+        placement = better ? map.placement[finer] : placement;
+        layer = better ? float(finer) : layer;
+        inside = better ? inside_finer : inside;
     }
-    float lit = light_through(at, map.size.y);
+    float lit = light_through(place_parallel(map, receiver, seen, placement, layer), map.size.y);
 #ifndef SUDDEN_SEAMS
     // The last tenth of a cascade fades into the next.
-    float share = depth_inside(map, at) / (0.1 * map.size.x);
-    if (share < 1.0 && at.layer < float(MAP_LAYERS - 1))
-        lit = mix(light_through(next, map.size.y), lit, max(share, 0.0));
+    float share = inside / (0.1 * map.size.x);
+    if (share < 1.0 && layer < float(LAST))
+        lit = mix(
+            light_through(place_parallel(map, receiver, seen, next_placement, layer + 1.0), map.size.y),
+            lit,
+            max(share, 0.0));
 #endif
     return lit;
-#else
-    return light_through(at, map.size.y);
-#endif
 }
 #endif
 

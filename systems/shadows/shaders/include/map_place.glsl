@@ -24,7 +24,7 @@ struct MapPlace {
 };
 
 // Rounding of a plane's normal and position: far below what any filter shows.
-const float ROUNDING_TEXELS = 0.05;
+const float ROUNDING_TEXELS = 0.15;
 const float SILHOUETTE_TEXELS = 2.0;
 
 float slack_of(Receiver receiver, float depth_per_texel, vec2 slope, vec2 shaded_slope) {
@@ -34,21 +34,40 @@ float slack_of(Receiver receiver, float depth_per_texel, vec2 slope, vec2 shaded
 }
 
 #ifdef PARALLEL
-vec2 tilt_across(MapInputs map, vec3 normal) {
-    return -vec2(dot(map.right, normal), dot(map.up, normal)) / dot(map.along, normal);
+// A receiver as the light sees it, before a layer is chosen.
+struct Across {
+    vec2 metres; // along right and up, from the camera
+    float depth;
+    vec2 tilt; // metres along the light per metre across it
+    vec2 shaded_tilt;
+};
+
+Across across_light(MapInputs map, Receiver receiver) {
+    Across seen;
+    seen.metres = vec2(dot(map.right, receiver.point), dot(map.up, receiver.point));
+    seen.depth = dot(map.along, receiver.point) * map.depth.x + map.depth.y;
+#ifdef CONSTANT_BIAS
+    seen.depth -= CONSTANT_BIAS * map.depth.x;
+#endif
+    seen.tilt = vec2(dot(map.right, receiver.normal), dot(map.up, receiver.normal)) / -dot(map.along, receiver.normal);
+    seen.shaded_tilt =
+        vec2(dot(map.right, receiver.shaded), dot(map.up, receiver.shaded)) / -dot(map.along, receiver.shaded);
+    return seen;
 }
 
-MapPlace place_parallel(MapInputs map, Receiver receiver, int layer) {
-    vec4 place = map.placement[layer];
-    vec3 point = receiver.point;
+vec2 texel_in(Across seen, vec4 placement) {
+    return seen.metres * placement.xy + placement.zw;
+}
+
+MapPlace place_parallel(MapInputs map, Receiver receiver, Across seen, vec4 placement, float layer) {
+    vec2 depth_per_texel = map.depth.x / placement.xy;
     MapPlace at;
-    at.texel = vec2(dot(map.right, point), dot(map.up, point)) * place.xy + place.zw;
-    at.layer = float(layer);
-    at.depth = dot(map.along, point) * map.depth.x + map.depth.y;
-    vec2 per_texel = map.depth.x / place.xy;
-    at.slope = tilt_across(map, receiver.normal) * per_texel;
-    vec2 shaded_slope = tilt_across(map, receiver.shaded) * per_texel;
-    at.slack = slack_of(receiver, max(-per_texel.x, -per_texel.y), at.slope, shaded_slope);
+    at.texel = texel_in(seen, placement);
+    at.layer = layer;
+    at.depth = seen.depth;
+    at.slope = seen.tilt * depth_per_texel;
+    at.slack = slack_of(
+        receiver, max(-depth_per_texel.x, -depth_per_texel.y), at.slope, seen.shaded_tilt * depth_per_texel);
     return at;
 }
 #else
