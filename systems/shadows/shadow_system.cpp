@@ -19,8 +19,10 @@ std::uint64_t versions_of(const scene::World& world) {
            + registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
 }
 
-/// Everything about a light and its plans that a job draws from. Equal text, equal work.
-std::string fingerprint(const LightView& light, const std::vector<const Plan*>& plans) {
+/// Everything about a light, its plans and what was asked that a job draws from. Equal text, equal
+/// work.
+std::string fingerprint(
+    const LightView& light, const std::vector<const Plan*>& plans, const scene::ShadowWish& wish) {
     const scene::Light& l = light.light;
     std::string text = fmt::format(
         "{} {} {} {} {} {} {} {} {} {} {} {}",
@@ -36,6 +38,13 @@ std::string fingerprint(const LightView& light, const std::vector<const Plan*>& 
         l.outer_angle,
         l.radius,
         l.angular_radius);
+    text += fmt::format(
+        " {} {} {} {} {}",
+        wish.map_size.value_or(0),
+        wish.filter.value_or(""),
+        wish.samples.value_or(0),
+        wish.cascades.value_or(0),
+        wish.error_px.value_or(0.0F));
     for (const Plan* plan : plans) {
         text += fmt::format(" {}:", plan->receiver);
         for (const PlanEntry& entry : plan->entries)
@@ -94,8 +103,8 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
     const auto receiver_end = input.receivers.end();
     for (auto& [key, running] : jobs_) {
         const LightView& light = scene_.lights[running.light];
-        std::string wanted = fingerprint(light, running.plans);
         const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
+        std::string wanted = fingerprint(light, running.plans, wish);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{
             scene_,

@@ -36,7 +36,7 @@ int measure_scenes(const Command& command) {
     auto studio = Studio::open(size->x, size->y);
     if (!studio) return fail(studio.error(), kNoOpenGl);
     for (const std::string& technique : command.measure.techniques)
-        if (auto known = check_technique(technique, (*studio)->shadows().techniques()); !known)
+        if (auto known = options_from_word(technique, (*studio)->shadows().techniques()); !known)
             return fail(known.error(), kWrongUsage);
     measure::Report report;
     for (const std::string& file : command.scenes) {
@@ -71,7 +71,8 @@ Run add_measure(CLI::App& app) {
         ->add_option(
             "--technique",
             options->measure.techniques,
-            "auto, map, or names of techniques; several with commas")
+            "auto, map, or names of techniques, several with commas; map@1024, map@1024:pcf and "
+            "auto@0.5 say more")
         ->delimiter(',');
     command->add_option("--protocol", options->measure.protocol, "still, walk, or both")
         ->check(CLI::IsMember({"still", "walk", "both"}))

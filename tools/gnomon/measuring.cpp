@@ -20,9 +20,7 @@ constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr int kStillFrames = 16;
 constexpr std::size_t kTrackedPoints = 20000;
 
-void override_technique(Level& level, const std::string& technique) {
-    ShadowOptions options;
-    options.technique = technique;
+void override_technique(Level& level, const ShadowOptions& options) {
     for (const scene::LightKind kind :
          {scene::LightKind::directional, scene::LightKind::spot, scene::LightKind::point})
         level.shadows.overriding[kind] = options.wish(kind);
@@ -65,11 +63,11 @@ public:
 
     /// Draws a frame with a technique. Why it cannot, when it cannot.
     engine::Result<void> draw(const scene::CameraView& camera, const std::string& technique) {
-        override_technique(level_, technique);
-        ShadowOptions asked;
-        asked.technique = technique;
+        const auto asked = options_from_word(technique, studio_.shadows().techniques());
+        if (!asked) return asked.error();
+        override_technique(level_, *asked);
         const auto lights = scene::placed_lights(level_.world);
-        if (auto missing = missing_technique(asked, lights, studio_.shadows().techniques()))
+        if (auto missing = missing_technique(*asked, lights, studio_.shadows().techniques()))
             return engine::Error{*missing};
         if (auto drawn = studio_.draw(level_, camera); !drawn) return drawn;
         if (const auto unserved = studio_.shadows().unserved(); !unserved.empty())

@@ -70,18 +70,19 @@ int render(const RenderOptions& options) {
     auto level = load_level(options.scene);
     if (!level) return fail(level.error(), kBadFile);
     print_warnings(*level);
-    override_wishes(*level, options.shadow);
     const auto camera = choose_camera(*level, options.view.camera, size->x, size->y);
     if (!camera) return fail(camera.error(), kWrongUsage);
     auto studio = Studio::open(size->x, size->y);
     if (!studio) return fail(studio.error(), kNoOpenGl);
     Studio& s = **studio;
     s.shadows().always_refresh = options.shadow.refresh == "always";
-    if (auto known = check_technique(options.shadow.technique, s.shadows().techniques()); !known)
-        return fail(known.error(), kWrongUsage);
+    const auto shadow =
+        options_from_word(options.shadow.technique, s.shadows().techniques(), options.shadow);
+    if (!shadow) return fail(shadow.error(), kWrongUsage);
+    override_wishes(*level, *shadow);
 
     Take take(s, *level, options, *camera);
-    if (const auto missing = unsupported(s, *level, options.shadow)) {
+    if (const auto missing = unsupported(s, *level, *shadow)) {
         fmt::print("unsupported: {}\n", *missing);
         return kCannotDo;
     }

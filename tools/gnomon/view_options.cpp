@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 
 namespace gnomon {
 
@@ -71,7 +72,11 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
 }
 
 void add_shadow_options(CLI::App& command, ShadowOptions& options) {
-    command.add_option("--technique", options.technique, "auto, map, or the name of a technique")
+    command
+        .add_option(
+            "--technique",
+            options.technique,
+            "auto, map, or the name of a technique; map@1024, map@1024:pcf and auto@0.5 say more")
         ->capture_default_str();
     command.add_option("--map-size", options.map_size, "texels per side of shadow maps")
         ->check(CLI::Range(16, 16384));
@@ -94,18 +99,35 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
         ->capture_default_str();
 }
 
-engine::Result<void>
-check_technique(const std::string& word, const shadows::Techniques& techniques) {
+engine::Result<ShadowOptions> options_from_word(
+    const std::string& word, const shadows::Techniques& techniques, ShadowOptions others) {
+    const std::string setting = word.substr(std::min(word.find('@'), word.size()));
+    ShadowOptions options = std::move(others);
+    options.technique = word.substr(0, word.size() - setting.size());
     auto words = shadows::technique_words(techniques);
     words.emplace_back("map");
-    for (const std::string_view map : {"cascaded_map", "spot_map", "cube_map"})
-        if (word == map) return {};
-    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-    return engine::Error{fmt::format(
-        "--technique {}: expected one of {}{}",
-        word,
-        fmt::join(words, ", "),
-        engine::did_you_mean(word, words))};
+    if (std::find(words.begin(), words.end(), options.technique) == words.end())
+        return engine::Error{fmt::format(
+            "--technique {}: expected one of {}{}",
+            options.technique,
+            fmt::join(words, ", "),
+            engine::did_you_mean(options.technique, words))};
+    if (setting.empty()) return options;
+    const std::size_t colon = std::min(setting.find(':'), setting.size());
+    if (colon < setting.size()) options.filter = setting.substr(colon + 1);
+    const std::string number = setting.substr(1, colon - 1);
+    char* end = nullptr;
+    const float value = std::strtof(number.c_str(), &end);
+    if (number.empty() || *end != '\0' || !(value > 0.0F) || value > 16384.0F)
+        return engine::Error{fmt::format(
+            "--technique {}: '{}' after '@' is no size or error; write map@1024 or auto@0.5",
+            word,
+            number)};
+    if (options.technique == "auto")
+        options.error_px = value;
+    else
+        options.map_size = static_cast<int>(value);
+    return options;
 }
 
 std::optional<std::string> missing_technique(

@@ -4,7 +4,7 @@
 
 #include "systems/shadows/maps/cascade_fit.hpp"
 #include "systems/shadows/maps/map_error.hpp"
-#include "systems/shadows/maps/map_job.hpp"
+#include "systems/shadows/techniques/map_job.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Six shadow maps round a point light, or round a spot too wide for one. Each face sees a few
 // texels past its edges, so that filters meet no seam.
 
-#include "systems/shadows/maps/local_map_job.hpp"
+#include "systems/shadows/techniques/local_map_job.hpp"
 
 namespace shadows {
 

@@ -1,7 +1,7 @@
 // The shadow map of a spot light. Right for anything inside the cone; texels grow with the distance
 // from the light and with the tangent of the cone's angle.
 
-#include "systems/shadows/maps/local_map_job.hpp"
+#include "systems/shadows/techniques/local_map_job.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "systems/shadows/maps/local_map_job.hpp"
+#include "systems/shadows/techniques/local_map_job.hpp"
 
 #include <algorithm>
 #include <cmath>

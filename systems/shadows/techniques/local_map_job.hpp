@@ -3,7 +3,7 @@
 #pragma once
 
 #include "systems/shadows/maps/local_fit.hpp"
-#include "systems/shadows/maps/map_job.hpp"
+#include "systems/shadows/techniques/map_job.hpp"
 
 namespace shadows {
 

@@ -1,4 +1,4 @@
-#include "systems/shadows/maps/map_job.hpp"
+#include "systems/shadows/techniques/map_job.hpp"
 
 #include "engine/gpu/pass.hpp"
 #include "engine/render/light_visibility.hpp"
