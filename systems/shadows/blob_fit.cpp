@@ -11,8 +11,9 @@ namespace shadows {
 
 namespace {
 
-/// The thinnest a blob gets, relative to its longest side.
+/// The thinnest a blob gets, relative to its longest side, and in metres.
 constexpr double kThinnest = 1e-3;
+constexpr double kThinnestMetres = 1e-6;
 
 /// The part of a ray from the origin along `direction`, in multiples of it, that lies in a box.
 struct RayPart {
@@ -34,6 +35,17 @@ RayPart part_inside(const engine::WorldAabb& box, const glm::dvec3& direction) {
         part.leave = std::min(part.leave, std::max(a, b));
     }
     return part;
+}
+
+/// A unit vector at right angles to two; they may be parallel, or have no length.
+glm::dvec3 across(const glm::dvec3& a, const glm::dvec3& b) {
+    if (const glm::dvec3 normal = glm::cross(a, b); glm::length(normal) > 0.0)
+        return glm::normalize(normal);
+    const glm::dvec3 along = glm::length(a) > glm::length(b) ? a : b;
+    for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)})
+        if (const glm::dvec3 normal = glm::cross(along, axis); glm::length(normal) > 0.0)
+            return glm::normalize(normal);
+    return {0.0, 0.0, 1.0};
 }
 
 engine::WorldAabb grown(const engine::WorldAabb& box, double margin) {
@@ -89,16 +101,11 @@ Blob fit_blob(const CasterView& caster) {
     double longest = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         longest = std::max(longest, glm::length(world_from_unit[axis]));
-    const double thinnest = std::max(longest * kThinnest, std::numeric_limits<double>::min());
-    for (int axis = 0; axis < 3; ++axis) {
-        const double length = glm::length(world_from_unit[axis]);
-        if (length >= thinnest) continue;
-        const int next = (axis + 1) % 3;
-        const int last = (axis + 2) % 3;
-        const glm::dvec3 across = glm::cross(world_from_unit[next], world_from_unit[last]);
-        world_from_unit[axis] =
-            glm::length(across) > 0.0 ? glm::normalize(across) * thinnest : glm::dvec3(thinnest);
-    }
+    const double thinnest = std::max(longest * kThinnest, kThinnestMetres);
+    for (int axis = 0; axis < 3; ++axis)
+        if (glm::length(world_from_unit[axis]) < thinnest)
+            world_from_unit[axis] =
+                thinnest * across(world_from_unit[(axis + 1) % 3], world_from_unit[(axis + 2) % 3]);
     Blob blob;
     blob.centre = glm::dvec3(
         caster.world_from_mesh * glm::dvec4(glm::dvec3(caster.bounds_mesh.centre()), 1.0));

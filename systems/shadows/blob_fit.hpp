@@ -32,7 +32,7 @@ glm::dvec3 light_direction(const LightView& light, const glm::dvec3& point);
 engine::WorldAabb swept_bounds(
     const LightView& light, const engine::WorldAabb& caster, const engine::WorldAabb& receiver);
 
-/// Half the width of a hard light's edge, in radii of the blob: blobs are soft, because their
+/// Half the width that a hard light's edge grows to, in radii of the blob: blobs are soft, as their
 /// outline is a guess.
 inline constexpr double kBlobEdge = 0.125;
 

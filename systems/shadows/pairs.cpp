@@ -92,7 +92,7 @@ bool can_reach(const LightView& light, const engine::WorldAabb& box) {
 }
 
 bool faces(const LightView& light, const ReceiverView& receiver) {
-    if (!receiver.flat) return true;
+    if (!receiver.flat || receiver.two_sided) return true;
     if (light.light.kind == scene::LightKind::directional)
         return glm::dot(receiver.normal, glm::dvec3(light.direction))
                < std::sin(static_cast<double>(light.light.angular_radius));
@@ -101,7 +101,7 @@ bool faces(const LightView& light, const ReceiverView& receiver) {
 }
 
 bool stands_before(const engine::WorldAabb& caster, const ReceiverView& receiver) {
-    if (!receiver.flat) return true;
+    if (!receiver.flat || receiver.two_sided) return true;
     double highest = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i)
         highest = std::max(highest, glm::dot(receiver.normal, caster.corner(i)) - receiver.offset);

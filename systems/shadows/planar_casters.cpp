@@ -1,7 +1,5 @@
 #include "systems/shadows/planar_casters.hpp"
 
-#include <limits>
-
 namespace shadows {
 
 namespace {
@@ -9,7 +7,7 @@ namespace {
 /// Without a remedy everything is drawn anywhere, but for the receiver's own mesh.
 bool unclipped(const Remedies& remedies) {
     return !remedies.on(Remedy::planar_stencil) || !remedies.on(Remedy::planar_anti_shadow_clip)
-           || !remedies.on(Remedy::planar_behind_clip) || !remedies.on(Remedy::planar_light_side);
+           || !remedies.on(Remedy::planar_behind_clip);
 }
 
 } // namespace
@@ -22,11 +20,8 @@ std::optional<PlanarCasters> planar_casters(
     std::span<const std::uint32_t> chosen,
     const glm::dvec3& origin,
     const Remedies& remedies) {
-    auto plane = lit_plane(light, receiver, origin);
-    if (!plane && remedies.on(Remedy::planar_light_side)) return std::nullopt;
-    if (!plane)
-        plane = LitPlane{
-            receiver.normal, receiver.offset, 0.0, std::numeric_limits<double>::infinity()};
+    const auto plane = lit_plane(light, receiver, origin);
+    if (!plane) return std::nullopt;
     PlanarCasters casters{receiver.id, *plane, {}, {}};
     for (const std::uint32_t group : chosen)
         for (const std::uint32_t index : groups[group].casters) {

@@ -114,6 +114,7 @@ Stage ball_beside_table(double x) {
 Stage cube_over_lamp(double y) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("cube", cube(0.5F), at({1.0, y, 0.0}));
+    builder.add("other", cube(0.5F), at({2.5, 0.5, 0.0})); // something under the lamp
     builder.add_light(lamp_at({0.0, 2.0, 0.0}));
     return on_floor(builder, "lamp");
 }
@@ -128,6 +129,7 @@ Stage pole_past_lamp(double y) {
 Stage ball_through_floor(double y) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("ball", scene::make_sphere(0.4F), at({0.0, y, 0.0}));
+    builder.add("cube", cube(0.5F), at({2.0, 1.0, 0.0})); // something over the floor
     builder.add_light(lamp_at({0.0, 4.0, 0.0}));
     return on_floor(builder, "lamp");
 }
@@ -174,6 +176,26 @@ Stage chair(double turn_deg) {
         "sun",
         receiver,
         "planar");
+}
+
+/// A sheet with holes over the floor.
+Stage lattice(double height) {
+    WorldBuilder builder = floor_of(20.0F);
+    scene::Texture holes;
+    holes.image = engine::Image(4, 4, 4);
+    for (std::size_t i = 0; i < holes.image.bytes.size(); ++i)
+        holes.image.bytes[i] = (i / 4 + i / 16) % 2 == 0 ? 255 : 0;
+    builder.world.assets.textures.push_back(std::move(holes));
+    scene::Material material;
+    material.texture = 0;
+    material.alpha_masked = true;
+    material.double_sided = true;
+    builder.world.assets.materials.push_back(material);
+    scene::Mesh sheet = scene::make_plane({3.0F, 3.0F});
+    sheet.submeshes[0].material = 1;
+    builder.add("sheet", std::move(sheet), at({0.0, height, 0.0}));
+    builder.add_light(sun_along({0.6, -1.0, 0.4}));
+    return on_floor(builder, "sun");
 }
 
 Gate no_dark_behind_light() {
@@ -239,13 +261,19 @@ std::vector<Case> planar_cases() {
          "a lamp under the floor darkens it",
          lamp_through_floor,
          {1.0, -1.0, -0.5},
-         Remedy::planar_light_side,
+         std::nullopt,
          {no_dark_behind_light()}},
         {"P12",
          "the second light's shadow has holes where the first one's lies",
          two_lights,
          {-3.0, 3.0, -1.5},
          Remedy::planar_fresh_stencil,
+         exact},
+        {"Lattice",
+         "a sheet with holes throws a whole shadow",
+         lattice,
+         {0.5, 3.0, 1.0},
+         std::nullopt,
          exact},
         {"Chair",
          "the back of a chair throws no shadow on its own seat",

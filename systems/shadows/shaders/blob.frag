@@ -19,6 +19,9 @@ flat in float softness;
 
 layout(location = 0) out float visibility;
 
+const float EDGE_GROWTH = 0.25; // of a hard light's edge, per radius behind the blob
+const float EDGE_LEAST = 1e-3;  // in radii, for a division
+
 // The part of a light of some width that is hidden behind a disc of radius 1.
 // @param distance_to_axis of the point's way to the light from the disc's centre
 // @param edge half the width of the penumbra; over 1 the light looks larger than the disc
@@ -41,5 +44,7 @@ void main() {
     float behind = dot(place_unit, along) / dot(along, along); // of a sun: metres; of a lamp: part of the way
     if (behind <= 0.0) discard;
     float distance_to_axis = length(place_unit - behind * along);
-    visibility = 1.0 - coverage(distance_to_axis, max(BLOB_EDGE, softness * behind));
+    // Where the shadow begins, at the ellipsoid's rim, its edge has no width yet.
+    float grown = min(BLOB_EDGE, EDGE_GROWTH * behind * length(along));
+    visibility = 1.0 - coverage(distance_to_axis, max(max(grown, softness * behind), EDGE_LEAST));
 }

@@ -20,7 +20,7 @@ struct BlobData {
     vec4 light; ///< of a sun: its way in unit space, 0; of a lamp: minus its place in unit space, 1
     vec4 rectangle; ///< left, bottom, right, top, pixels
     vec4 plane;     ///< what a quad would lie on, relative space; of tests alone
-    uvec4 own; ///< receiver ids of the caster itself: from, up to but not; softness as a float; 0
+    uvec4 own; ///< receiver ids of the caster itself, first and end; softness as a float; 0
 };
 
 #ifdef __cplusplus
