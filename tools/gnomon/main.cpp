@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
         gnomon::add_render(app),
         gnomon::add_measure(app),
         gnomon::add_check(app),
+        gnomon::add_explain(app),
         gnomon::add_play(app)};
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (const std::string problem = unknown_word(app, words); !problem.empty()) {

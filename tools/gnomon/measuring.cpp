@@ -20,12 +20,6 @@ constexpr double kFrameSeconds = 1.0 / 60.0;
 constexpr int kStillFrames = 16;
 constexpr std::size_t kTrackedPoints = 20000;
 
-void override_technique(Level& level, const ShadowOptions& options) {
-    for (const scene::LightKind kind :
-         {scene::LightKind::directional, scene::LightKind::spot, scene::LightKind::point})
-        level.shadows.overriding[kind] = options.wish(kind);
-}
-
 void progress(const std::string& text) {
     fmt::print(stderr, "\r\x1b[K{}", text);
     std::fflush(stderr);
@@ -65,7 +59,7 @@ public:
     engine::Result<void> draw(const scene::CameraView& camera, const std::string& technique) {
         const auto asked = options_from_word(technique, studio_.shadows().techniques());
         if (!asked) return asked.error();
-        override_technique(level_, *asked);
+        override_wishes(level_.shadows, *asked);
         const auto lights = scene::placed_lights(level_.world);
         if (auto missing = missing_technique(*asked, lights, studio_.shadows().techniques()))
             return engine::Error{*missing};

@@ -30,13 +30,6 @@ struct RenderOptions {
     std::uint64_t seed = 1;
 };
 
-/// The wishes of the command line, on top of the level's.
-void override_wishes(Level& level, const ShadowOptions& options) {
-    for (const scene::LightKind kind :
-         {scene::LightKind::directional, scene::LightKind::spot, scene::LightKind::point})
-        level.shadows.overriding[kind] = options.wish(kind);
-}
-
 /// Draws frames of the level; the clock stands still unless the level is played.
 class Take {
 public:
@@ -79,7 +72,7 @@ int render(const RenderOptions& options) {
     const auto shadow =
         options_from_word(options.shadow.technique, s.shadows().techniques(), options.shadow);
     if (!shadow) return fail(shadow.error(), kWrongUsage);
-    override_wishes(*level, *shadow);
+    override_wishes(level->shadows, *shadow);
 
     Take take(s, *level, options, *camera);
     if (const auto missing = unsupported(s, *level, *shadow)) {

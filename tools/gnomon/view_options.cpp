@@ -130,6 +130,12 @@ engine::Result<ShadowOptions> options_from_word(
     return options;
 }
 
+void override_wishes(shadows::ShadowSettings& settings, const ShadowOptions& options) {
+    for (const scene::LightKind kind :
+         {scene::LightKind::directional, scene::LightKind::spot, scene::LightKind::point})
+        settings.overriding[kind] = options.wish(kind);
+}
+
 std::optional<std::string> missing_technique(
     const ShadowOptions& options,
     std::span<const scene::PlacedLight> lights,

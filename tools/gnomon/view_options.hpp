@@ -5,6 +5,7 @@
 #include "engine/core/result.hpp"
 #include "engine/scene/description.hpp"
 #include "engine/scene/light.hpp"
+#include "systems/shadows/shadow_settings.hpp"
 #include "systems/shadows/shadow_technique.hpp"
 
 #include <glm/glm.hpp>
@@ -48,6 +49,9 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options);
 /// one; a setting that is no number.
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others = {});
+
+/// The wishes of the command line, on top of all others.
+void override_wishes(shadows::ShadowSettings& settings, const ShadowOptions& options);
 
 /// Why a technique cannot serve these lights at all in this build, or nothing.
 std::optional<std::string> missing_technique(

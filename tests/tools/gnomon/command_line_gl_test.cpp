@@ -234,6 +234,25 @@ TEST_F(CommandLine, CheckReportsHealthAndPlans) {
     EXPECT_THAT(outcome.text, HasSubstr("pairs of light and receiver"));
 }
 
+TEST_F(CommandLine, ExplainGivesAReasonForEveryPair) {
+    const Outcome table = run(fmt::format("explain {}", path("level.lua")));
+    EXPECT_EQ(table.code, 0) << table.text;
+    EXPECT_THAT(table.text, HasSubstr("cheapest within"));
+
+    const Outcome pinned = run(fmt::format("explain {} --technique map@512", path("level.lua")));
+    EXPECT_EQ(pinned.code, 0) << pinned.text;
+    EXPECT_THAT(pinned.text, HasSubstr("pinned"));
+
+    const Outcome unknown = run(fmt::format("explain {} --pair sun,nobody", path("level.lua")));
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_THAT(unknown.text, HasSubstr("no such pair"));
+}
+
+TEST_F(CommandLine, ATechniqueMayNameItsSetting) {
+    EXPECT_EQ(run(fmt::format("explain {} --technique map@much", path("level.lua"))).code, 2);
+    EXPECT_EQ(run(fmt::format("explain {} --technique auto@0.5", path("level.lua"))).code, 0);
+}
+
 TEST_F(CommandLine, ASoakTellsWhatItHolds) {
     const Outcome outcome =
         run_gl(fmt::format("play {} --seconds 1 --size 64x48", path("level.lua")));

@@ -1,0 +1,185 @@
+// Failures of shadow maps.
+//
+// Sources: L. Williams, "Casting Curved Shadows on Curved Surfaces", 1978 (bias); H. Dou et al.,
+// "Adaptive Depth Bias for Shadow Maps", JCGT 2014; M. Valient, ShaderX6.
+//
+// No case: a normal offset that moves a look-up to another face (there is no offset, depth is known
+// at every texel); a border that is smeared over what lies beyond (a map ends where nothing casts).
+// Crawling and flickering are about motion: tests/systems/shadows/cascade_fit_test.cpp.
+
+#include "tests/atlas/cases.hpp"
+#include "tests/support/worlds.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace atlas {
+
+namespace {
+
+using shadows::Remedy;
+using test_support::at;
+using test_support::camera_looking;
+using test_support::WorldBuilder;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+scene::CameraView usual_camera() {
+    return camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, kPictureSize, kPictureSize);
+}
+
+/// @param elevation above the horizon, degrees
+scene::PlacedLight sun_at(double elevation, double azimuth = 35.0) {
+    scene::PlacedLight sun = test_support::sun_light();
+    sun.direction = glm::vec3(
+        std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
+        -std::sin(elevation * kDegree),
+        std::cos(elevation * kDegree) * std::sin(azimuth * kDegree));
+    return sun;
+}
+
+WorldBuilder floor_of(float side) {
+    WorldBuilder builder;
+    builder.add("floor", scene::make_plane(glm::vec2(side)));
+    return builder;
+}
+
+Stage one_map(
+    WorldBuilder& builder,
+    const scene::CameraView& camera,
+    const std::string& light,
+    const std::string& receiver,
+    const std::string& technique,
+    int size) {
+    Stage stage = pinned_stage(std::move(builder.world), camera, light, receiver, technique);
+    stage.level.shadows.scene.map_size = size;
+    stage.level.shadows.scene.cascades = 1;
+    return stage;
+}
+
+/// The floor of an upper storey under a low sun: it darkens the storey below, so the map holds it.
+Stage slanted_floor(double elevation) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("basement", scene::make_plane(glm::vec2(200.0F)), at({0.0, -3.0, 0.0}));
+    builder.add_light(sun_at(elevation));
+    Stage stage = one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 512);
+    stage.level.shadows.receivers["basement"].technique = "cascaded_map";
+    return stage;
+}
+
+/// A ring: a receiver that slants in every direction at once.
+Stage lit_ring(double elevation) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("ring", scene::make_torus(1.6F, 0.7F), at({0.0, 0.7, 0.0}));
+    builder.add_light(sun_at(elevation, 230.0));
+    return one_map(builder, usual_camera(), "sun", "ring", "cascaded_map", 512);
+}
+
+/// A thin wall on the ground: any bias lets light in under it.
+Stage wall_on_ground(double elevation) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("wall", scene::make_box({4.0F, 1.0F, 0.05F}), at({0.0, 0.5, 0.0}));
+    builder.add_light(sun_at(elevation, 90.0));
+    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 2048);
+}
+
+/// A tower that reaches far above everything that receives.
+Stage tall_tower(double height) {
+    WorldBuilder builder = floor_of(20.0F);
+    const ecs::Entity tower = builder.add(
+        "tower",
+        scene::make_box({1.0F, static_cast<float>(height), 1.0F}),
+        at({-2.0, height * 0.5, 0.0}));
+    builder.world.registry.patch<scene::ShadowRole>(
+        tower, [](scene::ShadowRole& role) { role.receives = false; });
+    builder.add_light(sun_at(60.0, 20.0));
+    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 1024);
+}
+
+/// A table under the line where two faces of a cube map meet.
+Stage table_on_seam(double turn) {
+    WorldBuilder builder = floor_of(12.0F);
+    const double angle = (45.0 + turn) * kDegree;
+    builder.add(
+        "table",
+        scene::make_box({1.0F, 0.1F, 1.0F}),
+        at({1.7 * std::cos(angle), 1.0, 1.7 * std::sin(angle)}));
+    builder.add_light(test_support::lamp_light("lamp", {0.0, 2.3, 0.0}, 50.0F, 30.0F));
+    Stage stage = one_map(
+        builder,
+        camera_looking({5.0, 5.0, 5.5}, {2.2, 0.0, 2.2}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        "cube_map",
+        512);
+    stage.level.shadows.scene.filter = "pcf";
+    return stage;
+}
+
+/// A tower behind the camera whose shadow falls into view.
+Stage tower_behind(double distance) {
+    WorldBuilder builder = floor_of(60.0F);
+    builder.add("tower", scene::make_box({1.0F, 8.0F, 1.0F}), at({0.0, 4.0, 8.0 + distance}));
+    builder.add("stone", scene::make_box(glm::vec3(0.4F)), at({2.5, 0.2, 0.0}));
+    builder.add_light(sun_at(30.0, 270.0));
+    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 2048);
+}
+
+Gate false_shadow_at_most(double px) {
+    return {
+        "false shadow inside, px",
+        [](const Observation& seen) { return seen.figures.interior.false_shadow_px; },
+        px};
+}
+
+Gate light_leak_at_most(double px) {
+    return {
+        "light leak inside, px",
+        [](const Observation& seen) { return seen.figures.interior.light_leak_px; },
+        px};
+}
+
+} // namespace
+
+std::vector<Case> map_cases() {
+    return {
+        {"M1",
+         "a slanted floor shadows itself in stripes",
+         slanted_floor,
+         {5.0, 85.0, 10.0},
+         Remedy::map_receiver_plane,
+         {false_shadow_at_most(0.0)}},
+        {"M1curved",
+         "a ring shadows itself in stripes",
+         lit_ring,
+         {30.0, 75.0, 45.0},
+         Remedy::map_receiver_plane,
+         {largest_error_inside(12.0), false_shadow_at_most(40.0)}},
+        {"M2",
+         "light passes under a wall that stands on the ground",
+         wall_on_ground,
+         {25.0, 65.0, 45.0},
+         Remedy::map_no_constant_bias,
+         {light_leak_at_most(0.0)}},
+        {"M7",
+         "a tower above the map's near plane is cut off",
+         tall_tower,
+         {5.0, 40.0, 40.0},
+         Remedy::map_pancaking,
+         {light_leak_at_most(0.0), false_shadow_at_most(0.0)}},
+        {"M11",
+         "lines along the seams of a cube map",
+         table_on_seam,
+         {-10.0, 10.0, 0.0},
+         Remedy::map_padded_faces,
+         {light_leak_at_most(0.0), false_shadow_at_most(0.0)}},
+        {"M25",
+         "a tower behind the camera throws no shadow into view",
+         tower_behind,
+         {1.0, 5.0, 3.0},
+         Remedy::map_swept_casters,
+         {light_leak_at_most(0.0)}},
+    };
+}
+
+} // namespace atlas
