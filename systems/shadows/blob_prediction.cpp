@@ -26,6 +26,17 @@ magnification(const LightView& light, const CasterGroup& casters, const engine::
     return std::max(1.0, glm::length(farthest) / std::max(near, casters.largest_radius));
 }
 
+/// Pixels of the rectangles that are drawn, one per caster.
+double drawn_px(const PairView& pair, const CasterGroup& casters) {
+    double sum = 0.0;
+    for (const std::uint32_t index : casters.casters) {
+        const engine::WorldAabb shadow =
+            swept_bounds(pair.light, pair.scene.casters[index].bounds, pair.receiver.bounds);
+        sum += screen_bounds(pair.scene.camera, shadow).area();
+    }
+    return sum;
+}
+
 } // namespace
 
 Prediction predict_blob(const PairView& pair, const CasterGroup& casters) {
@@ -44,7 +55,7 @@ Prediction predict_blob(const PairView& pair, const CasterGroup& casters) {
     prediction.error_px = edge_px;
     prediction.error_area_px = count * (kShapeError + kBlobEdge) * area_px;
     prediction.cost.vertices = 4.0 * count;
-    prediction.cost.colour_fragments = std::min(count * area_px, 4.0 * seen_px);
+    prediction.cost.colour_fragments = drawn_px(pair, casters);
     prediction.cost.taps = 2.0 * prediction.cost.colour_fragments;
     prediction.cost.draws = 1.0;
     return prediction;

@@ -75,4 +75,14 @@ double pixel_size_at(const scene::CameraView& camera, const engine::WorldAabb& b
     return distance * camera.pixel_size();
 }
 
+double typical_distance(const scene::CameraView& camera, const engine::WorldAabb& box) {
+    constexpr double kAtFeet = 0.02; // of the box's size
+    const glm::dvec3 nearest = glm::clamp(camera.position, box.min, box.max);
+    const double least =
+        std::max(static_cast<double>(camera.near), kAtFeet * glm::length(box.extent()));
+    const double near = std::max(glm::length(nearest - camera.position), least);
+    const double centre = std::max(glm::length(box.centre() - camera.position), near);
+    return std::sqrt(near * centre);
+}
+
 } // namespace shadows

@@ -30,4 +30,8 @@ PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb&
 /// The size of a pixel where a box is nearest to the camera, metres.
 double pixel_size_at(const scene::CameraView& camera, const engine::WorldAabb& box);
 
+/// How far away most of what is seen of a box is, metres: the geometric mean of its nearest point
+/// and its centre. A camera inside the box, or on a floor, sees little of what is at its feet.
+double typical_distance(const scene::CameraView& camera, const engine::WorldAabb& box);
+
 } // namespace shadows

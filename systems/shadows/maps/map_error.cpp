@@ -1,6 +1,7 @@
 #include "systems/shadows/maps/map_error.hpp"
 
 #include "systems/shadows/error_model.hpp"
+#include "systems/shadows/screen_bounds.hpp"
 
 #include <fmt/format.h>
 
@@ -23,11 +24,7 @@ double cosine_at(const PairView& pair) {
 
 double pixels_per_metre(const PairView& pair) {
     const scene::CameraView& camera = pair.scene.camera;
-    const glm::dvec3 nearest =
-        glm::clamp(camera.position, pair.receiver.bounds.min, pair.receiver.bounds.max);
-    const double distance =
-        std::max(glm::length(nearest - camera.position), static_cast<double>(camera.near));
-    return 1.0 / (distance * camera.pixel_size());
+    return 1.0 / (typical_distance(camera, pair.receiver.bounds) * camera.pixel_size());
 }
 
 double error_px(MapFilter filter, double footprint_px, double penumbra) {

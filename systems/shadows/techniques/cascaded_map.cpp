@@ -4,6 +4,7 @@
 
 #include "systems/shadows/maps/cascade_fit.hpp"
 #include "systems/shadows/maps/map_error.hpp"
+#include "systems/shadows/screen_bounds.hpp"
 #include "systems/shadows/techniques/map_job.hpp"
 
 #include <fmt/format.h>
@@ -31,13 +32,11 @@ Layout layout_of(
 }
 
 /// Texel of a single-texel map at the pair's receiver, metres across the light: that of the cascade
-/// in which the receiver's nearest point lies.
+/// in which most of the receiver lies.
 double texel_of_one(const PairView& pair) {
     const scene::CameraView& camera = pair.scene.camera;
     const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
-    const glm::dvec3 nearest =
-        glm::clamp(camera.position, pair.receiver.bounds.min, pair.receiver.bounds.max);
-    const double distance = glm::length(nearest - camera.position);
+    const double distance = typical_distance(camera, pair.receiver.bounds);
     const auto depths = split_depths(layout.range, layout.count);
     const auto found =
         std::find_if(depths.begin(), depths.end(), [&](double depth) { return depth >= distance; });

@@ -96,6 +96,8 @@ protected:
         group.casters = {0};
         group.bounds = box_at({0.0, 2.0, 0.0}, half);
         group.largest_radius = half * std::sqrt(3.0);
+        scene.casters.resize(1);
+        scene.casters[0].bounds = group.bounds;
         const scene::ShadowWish wish;
         return predict_blob({scene, sun(), floor, wish, 1.0}, group);
     }
