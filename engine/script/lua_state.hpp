@@ -117,7 +117,7 @@ private:
     std::string traceback_;
     std::map<std::string, std::string> sources_;
     std::map<std::string, std::string, std::less<>>
-        chunk_names_;                  ///< as Lua prints them, to names in sources_
+        chunk_names_; ///< as Lua prints them, to names in sources_
     std::vector<std::filesystem::path> files_;
     std::vector<std::string> output_;
     std::filesystem::path folder_;

@@ -62,8 +62,7 @@ int read_global(lua_State* lua) {
 
 int write_global(lua_State* lua) {
     const std::string name = key_text(lua, 2);
-    raise(
-        lua, fmt::format("'{0}' is assigned but not declared; write: local {0} = ...", name));
+    raise(lua, fmt::format("'{0}' is assigned but not declared; write: local {0} = ...", name));
 }
 
 /// Keeps the members of the library at the top of the stack that are in `names`, and no others.
