@@ -3,7 +3,7 @@
 #include "engine/gpu/pass.hpp"
 #include "engine/render/light_visibility.hpp"
 #include "systems/shadows/maps/map_view.hpp"
-#include "systems/shadows/screen_bounds.hpp"
+#include "systems/shadows/techniques/rectangles.hpp"
 
 #include <fmt/format.h>
 #include <render/shared/bindings.h>
@@ -36,14 +36,6 @@ std::string filter_define(MapFilter filter) {
         break;
     }
     return "FILTER_PCF";
-}
-
-gpu::Rect shared_part(const gpu::Rect& area, const PixelBox& box) {
-    const int left = std::max(area.x, box.left);
-    const int bottom = std::max(area.y, box.bottom);
-    const int right = std::min(area.x + area.width, box.right);
-    const int top = std::min(area.y + area.height, box.top);
-    return {left, bottom, right - left, top - bottom};
 }
 
 const ReceiverView* find_receiver(const ShadowScene& scene, std::uint32_t id) {
@@ -183,7 +175,7 @@ engine::Result<void> MapJob::render_layer(
 
 void MapJob::apply(
     gpu::Frame& frame, const scene::CameraView& camera, const render::VisibilityTarget& target) {
-    const gpu::Rect area = shared_part(target.area, screen_bounds(camera, served_));
+    const gpu::Rect area = intersection(target.area, to_rect(screen_bounds(camera, served_)));
     if (area.empty()) return;
     const gpu::ScopedPass pass(
         frame, fmt::format("{}/{}/mask", light_.name, technique_), target.mask);

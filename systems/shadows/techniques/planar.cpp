@@ -12,8 +12,8 @@
 #include "engine/render/light_visibility.hpp"
 #include "systems/shadows/planar_casters.hpp"
 #include "systems/shadows/planar_prediction.hpp"
-#include "systems/shadows/screen_bounds.hpp"
 #include "systems/shadows/shadow_technique.hpp"
+#include "systems/shadows/techniques/rectangles.hpp"
 
 #include <fmt/format.h>
 #include <render/shared/bindings.h>
@@ -32,20 +32,6 @@ constexpr std::uint8_t kLastMark = 127;
 /// Ten steps of a 24-bit depth buffer: what ends the fight between a shadow and its receiver when
 /// there is no stencil.
 constexpr float kDepthOffset = 10.0F / 16777216.0F;
-
-gpu::Rect to_rect(const PixelBox& box) {
-    return {box.left, box.bottom, box.right - box.left, box.top - box.bottom};
-}
-
-gpu::Rect intersection(const gpu::Rect& a, const gpu::Rect& b) {
-    const int left = std::max(a.x, b.x);
-    const int bottom = std::max(a.y, b.y);
-    return {
-        left,
-        bottom,
-        std::min(a.x + a.width, b.x + b.width) - left,
-        std::min(a.y + a.height, b.y + b.height) - bottom};
-}
 
 gpu::Rect hull(const gpu::Rect& a, const gpu::Rect& b) {
     if (a.empty()) return b;
