@@ -6,7 +6,6 @@
 #include "tests/support/worlds.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace atlas {
 
@@ -14,13 +13,10 @@ namespace {
 
 using shadows::Remedy;
 using test_support::at;
+using test_support::floor_of;
+using test_support::sun_along;
+using test_support::sun_at;
 using test_support::WorldBuilder;
-
-scene::PlacedLight sun_along(const glm::dvec3& direction) {
-    scene::PlacedLight sun = test_support::sun_light();
-    sun.direction = glm::vec3(glm::normalize(direction));
-    return sun;
-}
 
 Stage stage_of(WorldBuilder& builder, const scene::CameraView& camera) {
     return pinned_stage(std::move(builder.world), camera, "sun", "floor", "blob");
@@ -32,21 +28,18 @@ scene::CameraView camera_at(const glm::dvec3& eye, const glm::dvec3& target) {
 
 /// A plank of 2 square metres, more or less elongated.
 Stage plank(double length) {
-    WorldBuilder builder;
-    builder.add("floor", scene::make_plane({20.0F, 20.0F}));
+    WorldBuilder builder = floor_of(20.0F);
     const auto along = static_cast<float>(length);
     builder.add("plank", scene::make_box({along, 0.1F, 2.0F / along}), at({0.0, 1.0, 0.0}));
     builder.add_light(sun_along({0.0, -1.0, 0.0}));
     return stage_of(builder, camera_at({0.0, 2.5, 3.5}, {0.0, 0.0, 0.0}));
 }
 
-Stage low_sun(double elevation_deg) {
-    WorldBuilder builder;
-    builder.add("floor", scene::make_plane({60.0F, 60.0F}));
+Stage low_sun(double elevation) {
+    WorldBuilder builder = floor_of(60.0F);
     builder.add("ball", scene::make_sphere(0.5F), at({0.0, 2.0, 0.0}));
-    const double elevation = elevation_deg * std::numbers::pi / 180.0;
-    builder.add_light(sun_along({std::cos(elevation), -std::sin(elevation), 0.0}));
-    const double x = 2.0 / std::tan(elevation);
+    builder.add_light(sun_at(elevation));
+    const double x = 2.0 / std::tan(glm::radians(elevation));
     return stage_of(
         builder, camera_at({0.5 * x, 4.0 + 0.4 * x, 5.0 + 0.4 * x}, {0.5 * x, 0.5, 0.0}));
 }

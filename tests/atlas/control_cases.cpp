@@ -8,13 +8,15 @@ namespace atlas {
 namespace {
 
 Stage traced_stage(double height) {
-    test_support::WorldBuilder builder;
-    builder.add("floor", scene::make_plane({20.0F, 20.0F}));
+    test_support::WorldBuilder builder = test_support::floor_of(20.0F);
     builder.add("ball", scene::make_sphere(0.5F), test_support::at({0.0, height, 0.0}));
     builder.add_light(test_support::sun_light());
-    const auto camera =
-        test_support::camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, kPictureSize, kPictureSize);
-    return pinned_stage(std::move(builder.world), camera, "sun", "floor", "traced");
+    return pinned_stage(
+        std::move(builder.world),
+        test_support::usual_camera(kPictureSize),
+        "sun",
+        "floor",
+        "traced");
 }
 
 } // namespace

@@ -11,7 +11,6 @@
 #include "tests/support/worlds.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace atlas {
 
@@ -20,29 +19,10 @@ namespace {
 using shadows::Remedy;
 using test_support::at;
 using test_support::camera_looking;
+using test_support::floor_of;
+using test_support::sun_at;
+using test_support::usual_camera;
 using test_support::WorldBuilder;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-scene::CameraView usual_camera() {
-    return camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, kPictureSize, kPictureSize);
-}
-
-/// @param elevation above the horizon, degrees
-scene::PlacedLight sun_at(double elevation, double azimuth = 35.0) {
-    scene::PlacedLight sun = test_support::sun_light();
-    sun.direction = glm::vec3(
-        std::cos(elevation * kDegree) * std::cos(azimuth * kDegree),
-        -std::sin(elevation * kDegree),
-        std::cos(elevation * kDegree) * std::sin(azimuth * kDegree));
-    return sun;
-}
-
-WorldBuilder floor_of(float side) {
-    WorldBuilder builder;
-    builder.add("floor", scene::make_plane(glm::vec2(side)));
-    return builder;
-}
 
 Stage one_map(
     WorldBuilder& builder,
@@ -61,8 +41,8 @@ Stage one_map(
 Stage slanted_floor(double elevation) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("basement", scene::make_plane(glm::vec2(200.0F)), at({0.0, -3.0, 0.0}));
-    builder.add_light(sun_at(elevation));
-    Stage stage = one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 512);
+    builder.add_light(sun_at(elevation, 35.0));
+    Stage stage = one_map(builder, usual_camera(kPictureSize), "sun", "floor", "cascaded_map", 512);
     stage.level.shadows.receivers["basement"].technique = "cascaded_map";
     return stage;
 }
@@ -72,7 +52,7 @@ Stage lit_ring(double elevation) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("ring", scene::make_torus(1.6F, 0.7F), at({0.0, 0.7, 0.0}));
     builder.add_light(sun_at(elevation, 230.0));
-    return one_map(builder, usual_camera(), "sun", "ring", "cascaded_map", 512);
+    return one_map(builder, usual_camera(kPictureSize), "sun", "ring", "cascaded_map", 512);
 }
 
 /// A thin wall on the ground: any bias lets light in under it.
@@ -80,7 +60,7 @@ Stage wall_on_ground(double elevation) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("wall", scene::make_box({4.0F, 1.0F, 0.05F}), at({0.0, 0.5, 0.0}));
     builder.add_light(sun_at(elevation, 90.0));
-    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 2048);
+    return one_map(builder, usual_camera(kPictureSize), "sun", "floor", "cascaded_map", 2048);
 }
 
 /// A tower that reaches far above everything that receives.
@@ -93,13 +73,13 @@ Stage tall_tower(double height) {
     builder.world.registry.patch<scene::ShadowRole>(
         tower, [](scene::ShadowRole& role) { role.receives = false; });
     builder.add_light(sun_at(60.0, 20.0));
-    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 1024);
+    return one_map(builder, usual_camera(kPictureSize), "sun", "floor", "cascaded_map", 1024);
 }
 
 /// A table under the line where two faces of a cube map meet.
 Stage table_on_seam(double turn) {
     WorldBuilder builder = floor_of(12.0F);
-    const double angle = (45.0 + turn) * kDegree;
+    const double angle = glm::radians(45.0 + turn);
     builder.add(
         "table",
         scene::make_box({1.0F, 0.1F, 1.0F}),
@@ -122,7 +102,48 @@ Stage tower_behind(double distance) {
     builder.add("tower", scene::make_box({1.0F, 8.0F, 1.0F}), at({0.0, 4.0, 8.0 + distance}));
     builder.add("stone", scene::make_box(glm::vec3(0.4F)), at({2.5, 0.2, 0.0}));
     builder.add_light(sun_at(30.0, 270.0));
-    return one_map(builder, usual_camera(), "sun", "floor", "cascaded_map", 2048);
+    return one_map(builder, usual_camera(kPictureSize), "sun", "floor", "cascaded_map", 2048);
+}
+
+/// A high roof whose shadow's edge runs from one cascade into the next, as a camera walks along it.
+Stage roof_over_seams(double walked) {
+    WorldBuilder builder = floor_of(200.0F);
+    builder.add("roof", scene::make_box({20.0F, 0.1F, 160.0F}), at({-15.0, 6.0, 0.0}));
+    builder.add_light(sun_at(50.0, 25.0));
+    scene::CameraView camera = camera_looking(
+        {0.0, 2.5, 8.0 - walked}, {0.0, 0.0, 2.5 - walked}, kPictureSize, kPictureSize);
+    camera.fov_y = glm::radians(40.0F);
+    Stage stage = one_map(builder, camera, "sun", "floor", "cascaded_map", 128);
+    stage.level.shadows.scene.cascades = 3;
+    stage.level.shadows.scene.filter = "pcf";
+    return stage;
+}
+
+/// How much more the mask changes between two neighbours than the truth does.
+double largest_step(const measure::Comparison& comparison) {
+    const measure::Mask& drawn = comparison.measured;
+    double largest = 0.0;
+    const auto step = [&](std::size_t i, std::size_t j) {
+        if (comparison.kind[i] != measure::PixelKind::valid) return;
+        if (comparison.kind[j] != measure::PixelKind::valid) return;
+        const float true_step = comparison.truth.visibility[i] - comparison.truth.visibility[j];
+        const float drawn_step = drawn.visibility[i] - drawn.visibility[j];
+        largest =
+            std::max(largest, static_cast<double>(std::abs(drawn_step) - std::abs(true_step)));
+    };
+    for (int y = 0; y + 1 < drawn.height; ++y)
+        for (int x = 0; x + 1 < drawn.width; ++x) {
+            step(drawn.index(x, y), drawn.index(x + 1, y));
+            step(drawn.index(x, y), drawn.index(x, y + 1));
+        }
+    return largest;
+}
+
+Gate step_at_most(double visibility) {
+    return {
+        "step between neighbours that truth has not",
+        [](const Observation& seen) { return largest_step(seen.comparison); },
+        visibility};
 }
 
 Gate false_shadow_at_most(double px) {
@@ -173,6 +194,14 @@ std::vector<Case> map_cases() {
          {-10.0, 10.0, 0.0},
          Remedy::map_padded_faces,
          {light_leak_at_most(0.0), false_shadow_at_most(0.0)}},
+        {"M18",
+         "a soft edge changes its width at once where a cascade ends",
+         roof_over_seams,
+         {0.0, 0.8, 0.4}, // steps of 20 cm
+         Remedy::map_blended_seams,
+         // Widths differ by a factor of four, so the sudden step is 0.3; the edge itself is a ramp
+         // of 0.1 a pixel, with stairs as deep as a texel.
+         {step_at_most(0.16), largest_error_inside(16.0)}},
         {"M25",
          "a tower behind the camera throws no shadow into view",
          tower_behind,

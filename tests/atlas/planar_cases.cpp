@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace atlas {
 
@@ -19,27 +18,20 @@ namespace {
 using shadows::Remedy;
 using test_support::at;
 using test_support::camera_looking;
+using test_support::floor_of;
+using test_support::sun_along;
+using test_support::sun_at;
+using test_support::usual_camera;
 using test_support::WorldBuilder;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-scene::PlacedLight sun_along(const glm::dvec3& direction) {
-    scene::PlacedLight sun = test_support::sun_light();
-    sun.direction = glm::vec3(glm::normalize(direction));
-    return sun;
-}
 
 scene::PlacedLight lamp_at(const glm::dvec3& position) {
     return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
 }
 
-scene::CameraView usual_camera() {
-    return camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, kPictureSize, kPictureSize);
-}
-
 /// A camera that sees `width` metres round a target 20 degrees below it.
 scene::CameraView camera_far_from(const glm::dvec3& target, double distance, double width) {
-    const glm::dvec3 away(0.0, std::sin(20.0 * kDegree), std::cos(20.0 * kDegree));
+    const double down = glm::radians(20.0);
+    const glm::dvec3 away(0.0, std::sin(down), std::cos(down));
     scene::CameraView camera =
         camera_looking(target + away * distance, target, kPictureSize, kPictureSize);
     camera.fov_y = static_cast<float>(2.0 * std::atan(0.5 * width / distance));
@@ -62,13 +54,8 @@ std::string lowest_top(const std::string& name, const scene::Mesh& mesh) {
 }
 
 Stage on_floor(WorldBuilder& builder, const std::string& light) {
-    return pinned_stage(std::move(builder.world), usual_camera(), light, "floor", "planar");
-}
-
-WorldBuilder floor_of(float side) {
-    WorldBuilder builder;
-    builder.add("floor", scene::make_plane(glm::vec2(side)));
-    return builder;
+    return pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), light, "floor", "planar");
 }
 
 Stage cube_far_away(double distance) {
@@ -134,11 +121,10 @@ Stage ball_through_floor(double y) {
     return on_floor(builder, "lamp");
 }
 
-Stage half_sunk_ball(double elevation_deg) {
+Stage half_sunk_ball(double elevation) {
     WorldBuilder builder = floor_of(20.0F);
     builder.add("ball", scene::make_sphere(1.0F));
-    const double elevation = elevation_deg * kDegree;
-    builder.add_light(sun_along({std::cos(elevation), -std::sin(elevation), 0.0}));
+    builder.add_light(sun_at(elevation));
     return on_floor(builder, "sun");
 }
 
@@ -168,7 +154,7 @@ Stage chair(double turn_deg) {
     test_support::append(seat, back, {0.0F, 0.85F, -0.9F});
     const std::string receiver = lowest_top("chair", seat);
     builder.add("chair", std::move(seat), at({0.0, 0.9, 0.0}));
-    const double turn = turn_deg * kDegree;
+    const double turn = glm::radians(turn_deg);
     builder.add_light(sun_along({std::sin(turn), -1.0, std::cos(turn)}));
     return pinned_stage(
         std::move(builder.world),

@@ -8,6 +8,7 @@
 #include "engine/scene/receivers.hpp"
 #include "engine/scene/world.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace test_support {
@@ -55,6 +56,13 @@ private:
     glm::dvec3 origin_;
 };
 
+/// A world with a square floor at height 0, called "floor".
+inline WorldBuilder floor_of(float side) {
+    WorldBuilder builder;
+    builder.add("floor", scene::make_plane(glm::vec2(side)));
+    return builder;
+}
+
 /// Adds `part`, moved by `offset`, to a mesh: one entity, several solids.
 inline void append(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& offset) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -86,6 +94,22 @@ inline scene::PlacedLight sun_light(float illuminance = 3.0F) {
     return light;
 }
 
+inline scene::PlacedLight sun_along(const glm::dvec3& direction) {
+    scene::PlacedLight sun = sun_light();
+    sun.direction = glm::vec3(glm::normalize(direction));
+    return sun;
+}
+
+/// A sun above the horizon whose light goes to the right, or with an azimuth more and more toward
+/// the camera.
+/// @param elevation degrees, as is azimuth
+inline scene::PlacedLight sun_at(double elevation, double azimuth = 0.0) {
+    const double up = glm::radians(elevation);
+    const double around = glm::radians(azimuth);
+    return sun_along(
+        {std::cos(up) * std::cos(around), -std::sin(up), std::cos(up) * std::sin(around)});
+}
+
 inline scene::PlacedLight
 lamp_light(const std::string& name, const glm::dvec3& position, float intensity, float range) {
     scene::PlacedLight light;
@@ -106,6 +130,11 @@ camera_looking(const glm::dvec3& eye, const glm::dvec3& target, int width, int h
     camera.width = width;
     camera.height = height;
     return camera;
+}
+
+/// Sees the surroundings of the origin from 8 m away and a little above.
+inline scene::CameraView usual_camera(int size_px) {
+    return camera_looking({0.0, 3.0, 8.0}, {0.0, 0.5, 0.0}, size_px, size_px);
 }
 
 } // namespace test_support
