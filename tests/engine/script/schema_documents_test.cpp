@@ -47,6 +47,23 @@ TEST(SchemaDocuments, EveryExampleLoads) {
     }
 }
 
+TEST(SchemaDocuments, TheFuzzDictionaryHasEveryWord) {
+    const auto dictionary = read_text_file(
+        std::filesystem::path(PROJECT_SOURCE_DIR) / "tests/fuzz/corpus/lua/lua.dict");
+    ASSERT_TRUE(dictionary) << engine::to_string(dictionary.error());
+    const auto expect = [&](const std::string& line) {
+        EXPECT_NE(dictionary->find("\n" + line + "\n"), std::string::npos) << line;
+    };
+    for (const engine::Kind& kind : scene_schema(testing::words()).kinds) {
+        if (kind.constructed) expect("\"" + kind.name + "\"");
+        for (const engine::Field& field : kind.fields) {
+            expect("\"" + field.name + "\"");
+            for (const std::string& word : field.words)
+                expect("\"\\\"" + word + "\\\"\"");
+        }
+    }
+}
+
 TEST(Schema, EveryDefaultIsInItsRange) {
     for (const engine::Kind& kind : scene_schema(testing::words()).kinds) {
         for (const engine::Field& field : kind.fields) {
