@@ -105,11 +105,12 @@ Plan pick_pair(
     for (const auto& technique : techniques) {
         const TechniqueTraits& traits = technique->traits();
         const std::string name(traits.name);
+        if (const auto reason = forbidden(traits, wish)) {
+            plan.rejected.push_back({name, *reason, std::nullopt});
+            continue;
+        }
         const auto predicted = predict_all(*technique, view, pair, light);
-        if (const auto reason = forbidden(traits, wish))
-            plan.rejected.push_back(
-                {name, *reason, predicted ? std::optional(*predicted) : std::nullopt});
-        else if (!predicted)
+        if (!predicted)
             plan.rejected.push_back(
                 {name, "outside its domain: " + predicted.error().message, std::nullopt});
         else

@@ -12,21 +12,21 @@ namespace {
 /// The smallest rectangle of the window round some points of view space.
 class WindowRectangle {
 public:
-    explicit WindowRectangle(const scene::CameraView& camera) : camera_(camera) {}
+    explicit WindowRectangle(const scene::CameraView& camera)
+        : size_(camera.width, camera.height),
+          px_per_slope_(1.0 / camera.pixel_size()) {}
 
     /// @pre point_vs.z < 0
     void grow(const glm::dvec3& point_vs) {
-        const double metres_per_px = -point_vs.z * camera_.pixel_size();
         const glm::dvec2 window =
-            glm::dvec2(camera_.width, camera_.height) * 0.5 + glm::dvec2(point_vs) / metres_per_px;
+            size_ * 0.5 + glm::dvec2(point_vs) * (px_per_slope_ / -point_vs.z);
         min_ = glm::min(min_, window);
         max_ = glm::max(max_, window);
     }
 
     [[nodiscard]] PixelBox pixels() const {
-        const glm::dvec2 size(camera_.width, camera_.height);
-        const glm::dvec2 low = glm::clamp(min_, glm::dvec2(0.0), size);
-        const glm::dvec2 high = glm::clamp(max_, glm::dvec2(0.0), size);
+        const glm::dvec2 low = glm::clamp(min_, glm::dvec2(0.0), size_);
+        const glm::dvec2 high = glm::clamp(max_, glm::dvec2(0.0), size_);
         return {
             static_cast<int>(std::floor(low.x)),
             static_cast<int>(std::floor(low.y)),
@@ -35,7 +35,8 @@ public:
     }
 
 private:
-    const scene::CameraView& camera_;
+    glm::dvec2 size_;
+    double px_per_slope_; ///< pixels per unit of (metres across over metres ahead)
     glm::dvec2 min_ = glm::dvec2(std::numeric_limits<double>::infinity());
     glm::dvec2 max_ = -min_;
 };

@@ -1,6 +1,7 @@
 #include "tools/gnomon/view_options.hpp"
 
 #include "engine/core/text.hpp"
+#include "systems/shadows/maps/cascade_fit.hpp"
 #include "systems/shadows/technique_registry.hpp"
 
 #include <CLI/CLI.hpp>
@@ -56,6 +57,7 @@ scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
     else if (technique != "auto")
         wish.technique = technique;
     wish.map_size = map_size;
+    wish.cascades = cascades;
     wish.filter = filter;
     wish.samples = samples;
     wish.error_px = error_px;
@@ -76,10 +78,12 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
         .add_option(
             "--technique",
             options.technique,
-            "auto, map, or the name of a technique; map@1024, map@1024:pcf and auto@0.5 say more")
+            "auto, map, or the name of a technique; map@1024, map@1024x2:pcf and auto@0.5 say more")
         ->capture_default_str();
     command.add_option("--map-size", options.map_size, "texels per side of shadow maps")
         ->check(CLI::Range(16, 16384));
+    command.add_option("--cascades", options.cascades, "shadow maps of a directional light")
+        ->check(CLI::Range(1, shadows::kMaxCascades));
     command.add_option("--filter", options.filter, "how maps are read")
         ->check(CLI::IsMember({"nearest", "bilinear", "pcf", "pcss"}));
     command.add_option("--samples", options.samples, "light samples of soft shadows")
@@ -115,18 +119,28 @@ engine::Result<ShadowOptions> options_from_word(
     if (setting.empty()) return options;
     const std::size_t colon = std::min(setting.find(':'), setting.size());
     if (colon < setting.size()) options.filter = setting.substr(colon + 1);
-    const std::string number = setting.substr(1, colon - 1);
+    const std::string numbers = setting.substr(1, colon - 1);
+    const bool is_auto = options.technique == "auto";
+    const std::size_t cross = is_auto ? numbers.size() : std::min(numbers.find('x'), numbers.size());
+    const auto size = whole_number(std::string_view(numbers).substr(0, cross));
+    if (cross < numbers.size())
+        options.cascades = whole_number(std::string_view(numbers).substr(cross + 1)).value_or(0);
     char* end = nullptr;
-    const float value = std::strtof(number.c_str(), &end);
-    if (number.empty() || *end != '\0' || !(value > 0.0F) || value > 16384.0F)
+    const float error_px = std::strtof(numbers.c_str(), &end);
+    const bool right = is_auto ? !numbers.empty() && *end == '\0' && error_px > 0.0F && error_px <= 1000.0F
+                               : size && *size >= 16 && *size <= 16384;
+    const int cascades = options.cascades.value_or(1);
+    if (!right || cascades < 1 || cascades > shadows::kMaxCascades)
         return engine::Error{fmt::format(
-            "--technique {}: '{}' after '@' is no size or error; write map@1024 or auto@0.5",
+            "--technique {}: '{}' after '@' is no size or error; write map@1024, map@1024x2 "
+            "(1 to {} cascades) or auto@0.5",
             word,
-            number)};
-    if (options.technique == "auto")
-        options.error_px = value;
+            numbers,
+            shadows::kMaxCascades)};
+    if (is_auto)
+        options.error_px = error_px;
     else
-        options.map_size = static_cast<int>(value);
+        options.map_size = *size;
     return options;
 }
 

@@ -30,6 +30,7 @@ struct ViewOptions {
 struct ShadowOptions {
     std::string technique = "auto"; ///< its name alone
     std::optional<int> map_size;
+    std::optional<int> cascades;
     std::optional<std::string> filter;
     std::optional<int> samples;
     std::optional<float> error_px;
@@ -43,10 +44,10 @@ struct ShadowOptions {
 void add_view_options(CLI::App& command, ViewOptions& options);
 void add_shadow_options(CLI::App& command, ShadowOptions& options);
 
-/// A technique with its main setting in one word: "planar", "map@2048" (texels per side),
-/// "cascaded_map@1024:pcf" (and the filter), "auto@0.5" (accepted error, pixels). What the word
-/// does not say is taken from `others`. Errors: a technique that does not exist, with the nearest
-/// one; a setting that is no number.
+/// A technique with its main settings in one word: "planar", "map@2048" (texels per side),
+/// "map@2048x2" (and cascades), "cascaded_map@1024:pcf" (and the filter), "auto@0.5" (accepted
+/// error, pixels). What the word does not say is taken from `others`. Errors: a technique that does
+/// not exist, with the nearest one; a setting that is no number.
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others = {});
 
