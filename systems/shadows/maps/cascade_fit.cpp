@@ -208,7 +208,8 @@ glm::dmat3 light_axes(
         return axes_from(
             direction, vertical ? glm::cross(direction, glm::dvec3(0.0, 0.0, 1.0)) : right);
     }
-    if (off_vertical >= needed) return axes_from(direction, right);
+    if (off_vertical >= needed)
+        return axes_from(direction, right + 0.25 * glm::cross(right, direction));
     const glm::dvec3 held =
         before ? glm::dvec3(glm::transpose(*before)[0]) : glm::dvec3(1.0, 0.0, 0.0);
     return axes_from(direction, held);

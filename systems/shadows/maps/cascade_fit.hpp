@@ -41,8 +41,10 @@ int cascade_count(const DepthRange& range);
 /// The far ends of `count` slices, in geometric series.
 std::vector<double> split_depths(const DepthRange& range, int count);
 
-/// The light's rows right, up, along. Right is level, so that a low sun's texels shrink with the
-/// ground; near the vertical, where level is undefined, the axes before are turned along.
+/// The light's rows right, up, along. Right is nearly level, so that a low sun's texels shrink with
+/// the ground; near the vertical, where level is undefined, the axes before are turned along. It
+/// rises by one in four: were texels to lie in rows along walls and floors, whole edges of shadows
+/// would be off by up to half a texel, and no filter could tell.
 glm::dmat3 light_axes(
     const glm::dvec3& direction, const std::optional<glm::dmat3>& before, const Remedies& remedies);
 

@@ -55,12 +55,19 @@ PyramidView spot_view(
     return view;
 }
 
+glm::dmat3 cube_turn() {
+    return from_rows(
+        glm::dvec3(2.0, -1.0, 2.0) / 3.0,
+        glm::dvec3(2.0, 2.0, -1.0) / 3.0,
+        glm::dvec3(-1.0, 2.0, 2.0) / 3.0);
+}
+
 std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border) {
     std::array<PyramidView, 6> views;
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;
         const double sign = face % 2 == 0 ? 1.0 : -1.0;
-        // include/map_views.glsl finds its faces in the same way.
+        // face_axes of map_mask.frag finds its faces in the same way.
         glm::dvec3 forward(0.0);
         glm::dvec3 right(0.0);
         glm::dvec3 up(0.0);
@@ -69,7 +76,7 @@ std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int 
         up[(axis + 2) % 3] = 1.0;
         PyramidView& view = views[static_cast<std::size_t>(face)];
         view.position = position;
-        view.light_from_world = from_rows(right, up, forward);
+        view.light_from_world = from_rows(right, up, forward) * cube_turn();
         view.size = size;
         grow(view, border);
     }

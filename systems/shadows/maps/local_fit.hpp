@@ -21,7 +21,12 @@ inline constexpr double kWidestSpot = 1.0471975511965976; // 60 degrees each sid
 PyramidView
 spot_view(const LightView& light, std::span<const engine::WorldAabb> casters, int size, int border);
 
-/// Six views with square openings, in the order +x, -x, +y, -y, +z, -z. Each sees `border` texels
+/// The axes of a cube of views, as rows. People build along x, y and z; were texels to lie in rows
+/// along the same axes, whole edges of shadows would be off by up to half a texel, and no filter
+/// could tell. Across the rows, errors change sign from texel to texel and filters take their mean.
+glm::dmat3 cube_turn();
+
+/// Six views with square openings, in the order +x, -x, +y, -y, +z, -z of cube_turn(). Each sees `border` texels
 /// more than a quarter turn, so that filters never look past an edge into nothing.
 std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border);
 

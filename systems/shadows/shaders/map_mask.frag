@@ -78,9 +78,7 @@ float light_at(MapInputs map, Receiver receiver) {
 
 #ifdef SPOT
 float light_at(MapInputs map, Receiver receiver) {
-    mat3 axes = transpose(mat3(map.right, map.up, map.along));
-    Receiver seen = Receiver(
-        axes * (receiver.point - map.light), axes * receiver.normal, axes * receiver.shaded, receiver.unknown_texels);
+    Receiver seen = from_light(map, receiver);
     if (seen.point.z <= 0.0) return 1.0;
     return light_through(place_pyramid(map, seen, 0.0), map.size.y);
 }
@@ -95,15 +93,15 @@ vec3 face_axes(vec3 v, int leading, float side) {
 }
 
 float light_at(MapInputs map, Receiver receiver) {
-    vec3 offset = receiver.point - map.light;
-    vec3 size = abs(offset);
+    Receiver seen = from_light(map, receiver);
+    vec3 size = abs(seen.point);
     int leading = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    float side = sign(leading == 0 ? offset.x : leading == 1 ? offset.y : offset.z);
-    Receiver seen = Receiver(
-        face_axes(offset, leading, side),
-        face_axes(receiver.normal, leading, side),
-        face_axes(receiver.shaded, leading, side),
-        receiver.unknown_texels);
+    float side = sign(leading == 0 ? seen.point.x : leading == 1 ? seen.point.y : seen.point.z);
+    seen = Receiver(
+        face_axes(seen.point, leading, side),
+        face_axes(seen.normal, leading, side),
+        face_axes(seen.shaded, leading, side),
+        seen.unknown_texels);
     float face = float(2 * leading) + (side > 0.0 ? 0.0 : 1.0);
     return light_through(place_pyramid(map, seen, face), map.size.y);
 }

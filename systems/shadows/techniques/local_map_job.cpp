@@ -35,7 +35,9 @@ int LocalMapJob::size_for(const PairView& pair, const CasterGroup& casters) cons
 void LocalMapJob::place(const gpu::Program& mask, const scene::CameraView& camera) const {
     const PyramidView& first = views_.front();
     const auto size = static_cast<float>(first.size);
-    mask.set("light_from_world", glm::mat3(first.light_from_world));
+    mask.set(
+        "light_from_world",
+        glm::mat3(kind_ == Kind::cube ? cube_turn() : first.light_from_world));
     mask.set("light_position", glm::vec3(first.position - camera.position));
     mask.set("map_depth", glm::vec4(static_cast<float>(first.near), 0.0F, 0.0F, 0.0F));
     mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, 0.0F));

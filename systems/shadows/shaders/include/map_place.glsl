@@ -71,6 +71,13 @@ MapPlace place_parallel(MapInputs map, Receiver receiver, Across seen, vec4 plac
     return at;
 }
 #else
+// A receiver relative to the light, in the light's axes.
+Receiver from_light(MapInputs map, Receiver receiver) {
+    mat3 axes = transpose(mat3(map.right, map.up, map.along));
+    return Receiver(
+        axes * (receiver.point - map.light), axes * receiver.normal, axes * receiver.shaded, receiver.unknown_texels);
+}
+
 // @param receiver in the axes of the view: right, up, forward
 MapPlace place_pyramid(MapInputs map, Receiver receiver, float layer) {
     vec3 point = receiver.point;
