@@ -52,17 +52,36 @@ std::array<float, static_cast<std::size_t>(Axis::count)> axes_of(const GLFWgamep
 WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
     glfwSetWindowUserPointer(window, this);
     glfwSetScrollCallback(window, &WindowInput::on_scroll);
+    glfwSetCursorEnterCallback(window, &WindowInput::on_enter);
     glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE);
     glfwSetInputMode(window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
 }
 
 WindowInput::~WindowInput() {
     glfwSetScrollCallback(window_, nullptr);
+    glfwSetCursorEnterCallback(window_, nullptr);
     glfwSetWindowUserPointer(window_, nullptr);
 }
 
 void WindowInput::on_scroll(GLFWwindow* window, double /*x*/, double y) {
     static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->wheel_ += static_cast<float>(y);
+}
+
+void WindowInput::on_enter(GLFWwindow* window, int /*entered*/) {
+    static_cast<WindowInput*>(glfwGetWindowUserPointer(window))->entered_ = true;
+}
+
+/// GLFW 3.3 takes a captured pointer that comes into the window (back from another one, or because
+/// the window shrank) for one that was moved there, which would turn the view.
+glm::dvec2 WindowInput::pointer() {
+    glm::dvec2 now(0.0);
+    glfwGetCursorPos(window_, &now.x, &now.y);
+    const bool captured = glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED;
+    const bool entered = std::exchange(entered_, false);
+    if (!captured) not_moved_ = glm::dvec2(0.0);
+    if (captured && entered) not_moved_ += now - before_;
+    before_ = now;
+    return now - not_moved_;
 }
 
 RawInput WindowInput::take() {
@@ -72,15 +91,12 @@ RawInput WindowInput::take() {
     RawInput raw;
     for (std::size_t i = 0; i < kCodes.size(); ++i)
         raw.down[i] = is_down(window_, pad, kCodes[i]);
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window_, &x, &y);
     int width = 0;
     int width_px = 0;
     glfwGetWindowSize(window_, &width, nullptr);
     glfwGetFramebufferSize(window_, &width_px, nullptr);
     const double px_per_unit = width > 0 ? static_cast<double>(width_px) / width : 1.0;
-    raw.pointer_px = glm::vec2(glm::dvec2(x, y) * px_per_unit);
+    raw.pointer_px = glm::vec2(pointer() * px_per_unit);
     raw.wheel = std::exchange(wheel_, 0.0F);
     if (has_pad) raw.axes = axes_of(pad);
     return raw;

@@ -8,8 +8,8 @@ struct GLFWwindow;
 
 namespace app {
 
-/// Reads a window's devices. Takes the window's scroll callback and user pointer; a panel that is
-/// installed later must pass callbacks on, as Dear ImGui does.
+/// Reads a window's devices. Takes the window's callbacks for scrolling and entering, and its user
+/// pointer; a panel that is installed later must pass callbacks on, as Dear ImGui does.
 class WindowInput {
 public:
     /// @param window must outlive this
@@ -26,9 +26,14 @@ public:
 
 private:
     static void on_scroll(GLFWwindow* window, double x, double y);
+    static void on_enter(GLFWwindow* window, int entered);
+    glm::dvec2 pointer();
 
     GLFWwindow* window_;
     float wheel_ = 0.0F;
+    bool entered_ = false;                   ///< since the last take()
+    glm::dvec2 before_ = glm::dvec2(0.0);    ///< GLFW's pointer at the last take(), screen units
+    glm::dvec2 not_moved_ = glm::dvec2(0.0); ///< its jumps so far that no hand made
 };
 
 } // namespace app
