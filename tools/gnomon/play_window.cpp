@@ -107,8 +107,8 @@ play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size)
         input.advance(hands.take());
         if (input.pressed(app::Key::escape)) window.request_close();
         const auto now = std::chrono::steady_clock::now();
-        const float seconds =
-            std::min(std::chrono::duration<float>(now - before).count(), kLongestFrame);
+        const float passed = std::chrono::duration<float>(now - before).count();
+        const float seconds = std::min(passed, kLongestFrame);
         before = now;
         advance(level, seconds);
         eyes.move(input, seconds);
@@ -128,7 +128,7 @@ play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size)
         for (const engine::Error& error : renderer.shaders().poll())
             fmt::print(stderr, "{}\n", engine::to_string(error));
         window.set_title(fmt::format(
-            "Gnomon: {} | {:.1f} ms", level.name, static_cast<double>(seconds) * 1000.0));
+            "Gnomon: {} | {:.1f} ms", level.name, static_cast<double>(passed) * 1000.0));
         window.swap();
     }
     return {};
