@@ -35,7 +35,7 @@ engine::Result<std::string>
 walk_through(Studio& studio, Level& level, const PlayOptions& options, const glm::ivec2& size);
 
 /// Walks for soak_seconds of the level's time, without pictures, and tells what it holds.
-/// @return false: memory, device memory or entities grew after the first minute
+/// @return false: memory, device memory, OpenGL objects, open files or entities grew
 engine::Result<bool>
 soak(Studio& studio, Level& level, const PlayOptions& options, const glm::ivec2& size);
 
