@@ -97,6 +97,23 @@ Stage table_on_seam(double turn) {
     return stage;
 }
 
+/// A lamp in a corner: everything is lit, and the map's filters see both walls and the floor.
+Stage lit_corner(double height) {
+    WorldBuilder builder = floor_of(12.0F);
+    builder.add("north", scene::make_box({8.0F, 4.0F, 0.4F}), at({0.0, 2.0, -2.2}));
+    builder.add("west", scene::make_box({0.4F, 4.0F, 8.0F}), at({-2.2, 2.0, 0.0}));
+    builder.add_light(test_support::lamp_light("lamp", {0.3, height, 0.6}, 50.0F, 30.0F));
+    Stage stage = one_map(
+        builder,
+        camera_looking({3.0, 2.5, 3.5}, {-1.5, 0.6, -1.5}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        "cube_map",
+        128);
+    stage.level.shadows.scene.filter = "pcf";
+    return stage;
+}
+
 /// A tower behind the camera whose shadow falls into view.
 Stage tower_behind(double distance) {
     WorldBuilder builder = floor_of(60.0F);
@@ -203,6 +220,12 @@ std::vector<Case> map_cases() {
          // Widths differ by a factor of four, so the sudden step is 0.3; the edge itself is a ramp
          // of 0.1 a pixel, with stairs as deep as a texel, which covers 60 px.
          {step_at_most(0.2), largest_error_inside(64.0)}},
+        {"Corner",
+         "dark dashes along lit corners",
+         lit_corner,
+         {1.0, 3.0, 2.0},
+         Remedy::map_open_creases,
+         {false_shadow_at_most(0.0)}},
         {"M25",
          "a tower behind the camera throws no shadow into view",
          tower_behind,

@@ -120,6 +120,7 @@ MapJob::render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geo
     defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
     if (serves_all_) defines.emplace_back("EVERY_RECEIVER");
     if (!remedies_.on(Remedy::map_receiver_plane)) defines.emplace_back("FLAT_DEPTH");
+    if (!remedies_.on(Remedy::map_open_creases)) defines.emplace_back("CLOSED_CREASES");
     if (!remedies_.on(Remedy::map_no_constant_bias)) defines.emplace_back("CONSTANT_BIAS=0.2");
     const auto mask = shaders.graphics("shadows/map_mask.vert", "shadows/map_mask.frag", defines);
     if (!mask) return mask.error();

@@ -7,12 +7,18 @@
 
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray shadow_map;
 
-// The depth of the receiver's plane at a point of the map.
+// What is nearer to the light at a point of the map blocks: the depth of the receiver's plane there, and how far a wall
+// may stand before it.
 float plane_depth(MapPlace at, vec2 texel) {
 #ifdef FLAT_DEPTH
     return at.depth;
 #else
-    return at.depth + dot(at.slope, texel - at.texel) + at.slack;
+    vec2 away = texel - at.texel;
+    float depth = at.depth + dot(at.slope, away) + at.slack;
+#ifndef CLOSED_CREASES
+    depth += at.rise * (abs(away.x) + abs(away.y));
+#endif
+    return depth;
 #endif
 }
 
