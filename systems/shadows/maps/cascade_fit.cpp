@@ -13,14 +13,10 @@ double stepped_up(double length) {
     return std::exp2(std::ceil(std::log2(length) * 8.0) / 8.0);
 }
 
-glm::dmat3 from_rows(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
-    return glm::transpose(glm::dmat3(x, y, z));
-}
-
 /// Rows of a view along `direction` with `right` as near to the one wanted as can be.
 glm::dmat3 axes_from(const glm::dvec3& direction, const glm::dvec3& right) {
     const glm::dvec3 level = glm::normalize(right - direction * glm::dot(right, direction));
-    return from_rows(level, glm::cross(level, direction), direction);
+    return axes_from_rows(level, glm::cross(level, direction), direction);
 }
 
 /// A rectangle across the light.

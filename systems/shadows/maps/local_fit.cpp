@@ -6,10 +6,6 @@ namespace shadows {
 
 namespace {
 
-glm::dmat3 from_rows(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) {
-    return glm::transpose(glm::dmat3(x, y, z));
-}
-
 /// Grows a view by texels on each side.
 void grow(PyramidView& view, int border) {
     const glm::dvec2 texel = (view.max - view.min) / (view.size - 2.0 * border);
@@ -46,7 +42,7 @@ PyramidView spot_view(
     const glm::dvec3 right = glm::normalize(glm::cross(forward, side));
     PyramidView view;
     view.position = light.position;
-    view.light_from_world = from_rows(right, glm::cross(right, forward), forward);
+    view.light_from_world = axes_from_rows(right, glm::cross(right, forward), forward);
     view.max = glm::dvec2(std::tan(static_cast<double>(light.light.outer_angle)));
     view.min = -view.max;
     view.size = size;
@@ -56,7 +52,7 @@ PyramidView spot_view(
 }
 
 glm::dmat3 cube_turn() {
-    return from_rows(
+    return axes_from_rows(
         glm::dvec3(2.0, -1.0, 2.0) / 3.0,
         glm::dvec3(2.0, 2.0, -1.0) / 3.0,
         glm::dvec3(-1.0, 2.0, 2.0) / 3.0);
@@ -76,7 +72,7 @@ std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int 
         up[(axis + 2) % 3] = 1.0;
         PyramidView& view = views[static_cast<std::size_t>(face)];
         view.position = position;
-        view.light_from_world = from_rows(right, up, forward) * cube_turn();
+        view.light_from_world = axes_from_rows(right, up, forward) * cube_turn();
         view.size = size;
         grow(view, border);
     }

@@ -26,8 +26,8 @@ spot_view(const LightView& light, std::span<const engine::WorldAabb> casters, in
 /// could tell. Across the rows, errors change sign from texel to texel and filters take their mean.
 glm::dmat3 cube_turn();
 
-/// Six views with square openings, in the order +x, -x, +y, -y, +z, -z of cube_turn(). Each sees `border` texels
-/// more than a quarter turn, so that filters never look past an edge into nothing.
+/// Six views with square openings, in the order +x, -x, +y, -y, +z, -z of cube_turn(). Each sees
+/// `border` texels more than a quarter turn, so that filters never look past an edge into nothing.
 std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border);
 
 /// Whether anything in a box can be seen by a view. Conservative.

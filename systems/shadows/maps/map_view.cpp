@@ -16,6 +16,11 @@ glm::dvec3 row(const glm::dmat3& matrix, int index) {
 
 } // namespace
 
+glm::dmat3
+axes_from_rows(const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward) {
+    return glm::transpose(glm::dmat3(right, up, forward));
+}
+
 glm::dmat4 ParallelView::map_from_world() const {
     const glm::dvec2 side = texel * static_cast<double>(size);
     const double depth = farthest - nearest;

@@ -10,6 +10,9 @@
 
 namespace shadows {
 
+/// The rotation with these rows: a light's right, up and the way it looks.
+glm::dmat3 axes_from_rows(const glm::dvec3& right, const glm::dvec3& up, const glm::dvec3& forward);
+
 /// One layer of a map of a directional light: a box of parallel rays.
 struct ParallelView {
     glm::dmat3 light_from_world = glm::dmat3(1.0); ///< rows: right, up, the way the light travels
