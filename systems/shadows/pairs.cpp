@@ -102,9 +102,10 @@ bool faces(const LightView& light, const ReceiverView& receiver) {
 
 bool stands_before(const engine::WorldAabb& caster, const ReceiverView& receiver) {
     if (!receiver.flat || receiver.two_sided) return true;
-    double highest = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 8; ++i)
-        highest = std::max(highest, glm::dot(receiver.normal, caster.corner(i)) - receiver.offset);
+    // The corner farthest along the normal. Source: support point of a box.
+    const double highest = glm::dot(receiver.normal, caster.centre())
+                           + glm::dot(glm::abs(receiver.normal), caster.extent() * 0.5)
+                           - receiver.offset;
     // A patch's own mesh touches its plane, give or take rounding.
     return highest > receiver.residual + 1e-5 * glm::length(receiver.bounds.extent());
 }

@@ -52,11 +52,11 @@ budget_of(const scene::ShadowWish& wish, const Pair& pair, const FramePlan::Ligh
 /// The technique's own say (domain) and the designer's (never, pins); no value when it may be
 /// taken.
 std::optional<std::string> forbidden(const TechniqueTraits& traits, const scene::ShadowWish& wish) {
-    const std::string pinned = wish.technique.value_or("auto");
+    const std::string_view pinned = wish.technique ? std::string_view(*wish.technique) : "auto";
     if (pinned != "auto" && pinned != traits.name) return fmt::format("pinned to '{}'", pinned);
     if (pinned == "auto" && !traits.picked_by_auto) return "only for comparison";
-    const auto never = wish.never.value_or(std::vector<std::string>{});
-    if (std::find(never.begin(), never.end(), traits.name) != never.end())
+    if (wish.never
+        && std::find(wish.never->begin(), wish.never->end(), traits.name) != wish.never->end())
         return "named in 'never'";
     return std::nullopt;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace shadows {
 
@@ -90,11 +91,20 @@ void add_receivers(
     }
 }
 
+/// Sorts an order and moves each view once: views are large.
 template <class View>
 void sort_by_name(std::vector<View>& views) {
-    std::sort(views.begin(), views.end(), [](const View& a, const View& b) {
-        return a.name != b.name ? a.name < b.name : a.id < b.id;
+    std::vector<std::size_t> order(views.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const int names = views[i].name.compare(views[j].name);
+        return names != 0 ? names < 0 : views[i].id < views[j].id;
     });
+    std::vector<View> sorted;
+    sorted.reserve(views.size());
+    for (const std::size_t i : order)
+        sorted.push_back(std::move(views[i]));
+    views = std::move(sorted);
 }
 
 } // namespace

@@ -190,6 +190,13 @@ std::vector<double> split_depths(const DepthRange& range, int count) {
     return depths;
 }
 
+double slice_end(const DepthRange& range, int count, double depth) {
+    const double ratio = range.far / range.near;
+    const double passed = count * std::log(depth / range.near) / std::log(ratio);
+    const double index = std::clamp(std::ceil(passed), 1.0, static_cast<double>(count));
+    return range.near * std::pow(ratio, index / count);
+}
+
 glm::dmat3 light_axes(
     const glm::dvec3& direction,
     const std::optional<glm::dmat3>& before,

@@ -41,6 +41,9 @@ int cascade_count(const DepthRange& range);
 /// The far ends of `count` slices, in geometric series.
 std::vector<double> split_depths(const DepthRange& range, int count);
 
+/// The far end of the slice that holds a view depth; of the nearest or the farthest slice outside.
+double slice_end(const DepthRange& range, int count, double depth);
+
 /// The light's rows right, up, along. Right is nearly level, so that a low sun's texels shrink with
 /// the ground; near the vertical, where level is undefined, the axes before are turned along. It
 /// rises by one in four: were texels to lie in rows along walls and floors, whole edges of shadows

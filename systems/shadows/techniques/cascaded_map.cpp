@@ -37,11 +37,8 @@ double texel_of_one(const PairView& pair) {
     const scene::CameraView& camera = pair.scene.camera;
     const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
     const double distance = typical_distance(camera, pair.receiver.bounds);
-    const auto depths = split_depths(layout.range, layout.count);
-    const auto found =
-        std::find_if(depths.begin(), depths.end(), [&](double depth) { return depth >= distance; });
     // The sphere round a slice is about as wide as its far end.
-    const double far = found == depths.end() ? depths.back() : *found;
+    const double far = slice_end(layout.range, layout.count, distance);
     const double half_width = std::tan(static_cast<double>(camera.fov_y) * 0.5) * far;
     return 2.0 * half_width * std::hypot(1.0, camera.aspect());
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -151,6 +152,17 @@ TEST(CascadeFit, EveryCascadeHoldsItsSliceOfTheView) {
                 EXPECT_LE(std::max(map.x, map.y), 1.0) << i;
             }
         }
+    }
+}
+
+TEST(CascadeFit, TheSliceOfADepthEndsWhereTheSplitsSay) {
+    const DepthRange range{0.5, 200.0};
+    const auto ends = split_depths(range, 4);
+    for (const double depth : {0.1, 0.6, 3.0, 9.0, 42.0, 199.0, 900.0}) {
+        const auto end =
+            std::find_if(ends.begin(), ends.end(), [&](double far) { return far >= depth; });
+        EXPECT_NEAR(
+            slice_end(range, 4, depth), end == ends.end() ? ends.back() : *end, 1e-9 * range.far);
     }
 }
 
