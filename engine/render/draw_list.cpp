@@ -52,11 +52,7 @@ std::uint32_t packed_square_root(const glm::vec4& color) {
 
 InstanceData
 instance_of(const DrawItem& item, const scene::Material& material, const glm::dvec3& origin) {
-    const glm::dmat4 rows = glm::transpose(item.world_from_mesh);
-    InstanceData data;
-    data.row_0 = glm::vec4(glm::dvec4(glm::dvec3(rows[0]), rows[0].w - origin.x));
-    data.row_1 = glm::vec4(glm::dvec4(glm::dvec3(rows[1]), rows[1].w - origin.y));
-    data.row_2 = glm::vec4(glm::dvec4(glm::dvec3(rows[2]), rows[2].w - origin.z));
+    InstanceData data = placed_instance(item.world_from_mesh, origin);
     data.surface = {
         item.first_receiver | (item.has_patches ? 0U : SURFACE_WITHOUT_PATCHES),
         packed_square_root(material.base_color),
@@ -148,6 +144,15 @@ void add_all(
 }
 
 } // namespace
+
+InstanceData placed_instance(const glm::dmat4& world_from_mesh, const glm::dvec3& origin) {
+    const glm::dmat4 rows = glm::transpose(world_from_mesh);
+    InstanceData data;
+    data.row_0 = glm::vec4(glm::dvec4(glm::dvec3(rows[0]), rows[0].w - origin.x));
+    data.row_1 = glm::vec4(glm::dvec4(glm::dvec3(rows[1]), rows[1].w - origin.y));
+    data.row_2 = glm::vec4(glm::dvec4(glm::dvec3(rows[2]), rows[2].w - origin.z));
+    return data;
+}
 
 void DrawItems::sync(
     const scene::World& world, const scene::ReceiverTable& receivers, const GeometryPool& pool) {

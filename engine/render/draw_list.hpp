@@ -72,6 +72,10 @@ struct InstanceData {
                         ///< color, bits of alpha, of the cutoff
 };
 
+/// The rows of a mesh that is placed relative to `origin`, without a surface: the same bits as in
+/// every draw list with that origin.
+InstanceData placed_instance(const glm::dmat4& world_from_mesh, const glm::dvec3& origin);
+
 struct DrawList {
     struct Run {
         DrawBucket bucket;

@@ -26,6 +26,8 @@ public:
         return fewer;
     }
 
+    bool operator==(const Remedies&) const = default;
+
 private:
     std::bitset<static_cast<std::size_t>(Remedy::count)> off_;
 };

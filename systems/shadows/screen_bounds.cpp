@@ -1,5 +1,7 @@
 #include "systems/shadows/screen_bounds.hpp"
 
+#include "engine/core/check.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,25 +47,30 @@ private:
 
 PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb& box) {
     if (box.empty()) return {};
-    const glm::dmat3 view_from_world = glm::transpose(glm::dmat3(camera.world_from_view));
-    std::array<glm::dvec3, 8> corners_vs;
+    std::array<glm::dvec3, 8> corners;
     for (int i = 0; i < 8; ++i)
-        corners_vs[static_cast<std::size_t>(i)] =
-            view_from_world * (box.corner(i) - camera.position);
+        corners[static_cast<std::size_t>(i)] = box.corner(i);
+    return hull_bounds(camera, corners);
+}
+
+PixelBox hull_bounds(const scene::CameraView& camera, std::span<const glm::dvec3> points) {
+    const glm::dmat3 view_from_world = glm::transpose(glm::dmat3(camera.world_from_view));
+    std::array<glm::dvec3, kMostHullPoints> room;
+    CHECK_LE(points.size(), room.size());
+    const std::span<glm::dvec3> points_vs(room.data(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points_vs[i] = view_from_world * (points[i] - camera.position);
     const double nearest = -static_cast<double>(camera.near);
     WindowRectangle rectangle(camera);
     bool seen = false;
-    for (std::size_t a = 0; a < 8; ++a) {
-        if (corners_vs[a].z <= nearest) {
-            rectangle.grow(corners_vs[a]);
-            seen = true;
-        }
-        for (const std::size_t bit : {1U, 2U, 4U}) {
-            const std::size_t b = a | bit;
-            if (a == b || (corners_vs[a].z <= nearest) == (corners_vs[b].z <= nearest)) continue;
-            const double t = (nearest - corners_vs[a].z) / (corners_vs[b].z - corners_vs[a].z);
-            rectangle.grow(glm::mix(corners_vs[a], corners_vs[b], t));
-            seen = true;
+    for (const glm::dvec3& before : points_vs) {
+        if (before.z > nearest) continue;
+        rectangle.grow(before);
+        seen = true;
+        for (const glm::dvec3& behind : points_vs) {
+            if (behind.z <= nearest) continue;
+            const double t = (nearest - before.z) / (behind.z - before.z);
+            rectangle.grow(glm::mix(before, behind, t));
         }
     }
     return seen ? rectangle.pixels() : PixelBox{};

@@ -5,6 +5,9 @@
 #include "engine/core/geometry.hpp"
 #include "engine/scene/camera.hpp"
 
+#include <cstddef>
+#include <span>
+
 namespace shadows {
 
 /// Pixels [left, right) x [bottom, top), origin bottom left, inside the picture.
@@ -22,9 +25,14 @@ struct PixelBox {
     bool operator==(const PixelBox&) const = default;
 };
 
-/// The pixels whose centres can show a point of the box: its edges, cut at the near plane, and
-/// rounded outward. Empty when nothing of it is in view, or the box is empty.
-/// Cost: 12 edges.
+inline constexpr std::size_t kMostHullPoints = 16;
+
+/// The pixels whose centres can show a point of the convex hull of some points: the lines between
+/// them, cut at the near plane, and rounded outward. Empty when nothing of it is in view.
+/// @pre at most kMostHullPoints
+/// Cost: one line for every two points on different sides of the near plane.
+PixelBox hull_bounds(const scene::CameraView& camera, std::span<const glm::dvec3> points);
+/// The same for a box; empty when the box is.
 PixelBox screen_bounds(const scene::CameraView& camera, const engine::WorldAabb& box);
 
 /// The size of a pixel where a box is nearest to the camera, metres.

@@ -55,6 +55,7 @@ struct ShadowScene {
     std::vector<LightView> lights; ///< those that are on
     std::vector<CasterView> casters;
     std::vector<ReceiverView> receivers;
+    bool wraps_stencil = true;         ///< the driver counts as stencil volumes need it
     bool everything_receives = true;   ///< no mesh was told not to
     engine::WorldAabb receiver_bounds; ///< round all receivers
     double nearest_m = 0.0;            ///< from the camera to the nearest receiver's bounds

@@ -65,6 +65,7 @@ ShadowSystem::ShadowSystem(DeviceProfile profile)
 
 engine::Result<void> ShadowSystem::prepare(const render::FrameInput& input) {
     scene_ = take_snapshot(input.world, input.receivers, input.camera, input.lights);
+    scene_.wraps_stencil = wraps_stencil;
     plan_ = pick(scene_, settings, techniques_, profile_);
     assign_jobs();
     const std::uint64_t versions = versions_of(input.world);
@@ -107,6 +108,7 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
         std::string wanted = fingerprint(light, running.plans, wish);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{
+            input.world,
             scene_,
             running.light,
             groups,

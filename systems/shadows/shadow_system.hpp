@@ -26,6 +26,8 @@ public:
     ShadowSettings settings;
     /// For tests of what each is there for.
     Remedies remedies;
+    /// Whether this driver counts as stencil volumes need it; they are refused where it does not.
+    bool wraps_stencil = true;
     /// Every job is redrawn in every frame, so that no cache flatters a timing.
     bool always_refresh = false;
 

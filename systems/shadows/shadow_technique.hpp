@@ -7,6 +7,7 @@
 #pragma once
 
 #include "engine/core/result.hpp"
+#include "engine/scene/world.hpp"
 #include "systems/shadows/pairs.hpp"
 #include "systems/shadows/plan.hpp"
 #include "systems/shadows/remedies.hpp"
@@ -40,6 +41,7 @@ struct TechniqueTraits {
 /// What a job serves this frame.
 struct ShadowRequest {
     const ShadowScene& scene;
+    const scene::World& world; ///< where the scene was taken from; for vertices alone
     std::uint32_t light = 0;             ///< index into scene.lights
     std::span<const CasterGroup> groups; ///< of the light
     std::span<const Plan* const> plans;  ///< the light's plans that name this job's technique

@@ -1,5 +1,6 @@
 #include "engine/app/first_person.hpp"
 #include "engine/app/window_input.hpp"
+#include "engine/gpu/probe.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/gpu/window.hpp"
 #include "engine/scene/views.hpp"
@@ -92,6 +93,7 @@ play_in_window(Level& level, const PlayOptions& options, const glm::ivec2& size)
     render::Renderer renderer(shadows::shader_folders());
     shadows::ShadowSystem shadows;
     shadows.settings = level.shadows;
+    shadows.wraps_stencil = gpu::probe_driver().wraps_stencil;
     app::WindowInput hands(window.native());
     app::Input input;
     const auto camera = choose_camera(level, options.view.camera, size.x, size.y);

@@ -1,5 +1,6 @@
 #include "tools/gnomon/studio.hpp"
 
+#include "engine/gpu/probe.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/scene/views.hpp"
 
@@ -16,7 +17,9 @@ constexpr std::uint32_t kReceiverMask = scene::kMaxReceivers - 1;
 
 Studio::Studio(std::unique_ptr<gpu::Context> context)
     : context_(std::move(context)),
-      renderer_(shadows::shader_folders()) {}
+      renderer_(shadows::shader_folders()) {
+    shadows_.wraps_stencil = gpu::probe_driver().wraps_stencil;
+}
 
 engine::Result<std::unique_ptr<Studio>> Studio::open(int width, int height) {
     auto context = gpu::make_headless_context();

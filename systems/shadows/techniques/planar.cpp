@@ -33,21 +33,6 @@ constexpr std::uint8_t kLastMark = 127;
 /// there is no stencil.
 constexpr float kDepthOffset = 10.0F / 16777216.0F;
 
-gpu::Rect hull(const gpu::Rect& a, const gpu::Rect& b) {
-    if (a.empty()) return b;
-    const int left = std::min(a.x, b.x);
-    const int bottom = std::min(a.y, b.y);
-    return {
-        left,
-        bottom,
-        std::max(a.x + a.width, b.x + b.width) - left,
-        std::max(a.y + a.height, b.y + b.height) - bottom};
-}
-
-std::uint64_t pixels(const gpu::Rect& rect) {
-    return static_cast<std::uint64_t>(rect.width) * static_cast<std::uint64_t>(rect.height);
-}
-
 /// A position relative to `origin` into clip space, in doubles until the last step.
 glm::dmat4 clip_from_origin(const scene::CameraView& camera, const glm::dvec3& origin) {
     const glm::dmat4 view(glm::transpose(glm::dmat3(camera.world_from_view)));

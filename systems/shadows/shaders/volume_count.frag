@@ -1,0 +1,4 @@
+#version 450 core
+// Nothing but depth and stencil.
+
+void main() {}
