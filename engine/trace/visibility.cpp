@@ -110,6 +110,7 @@ VisibilityImage::VisibilityImage(int width_px, int height_px) : width(width_px),
     entity.assign(pixels, ecs::kNoEntity.value);
     patch_id.assign(pixels, 0);
     depth.assign(pixels, std::numeric_limits<float>::infinity());
+    normal.assign(pixels, glm::vec3(0.0F));
     n_dot_l.assign(pixels, 0.0F);
 }
 
@@ -119,6 +120,7 @@ void VisibilityImage::set(std::size_t pixel, const TracedPixel& traced) {
     entity[pixel] = traced.hit->entity.value;
     patch_id[pixel] = traced.hit->patch_id;
     depth[pixel] = static_cast<float>(traced.hit->t);
+    normal[pixel] = glm::vec3(traced.hit->normal);
     n_dot_l[pixel] = static_cast<float>(traced.n_dot_l);
 }
 

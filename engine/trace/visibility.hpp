@@ -74,7 +74,9 @@ struct VisibilityImage {
     std::vector<std::uint32_t> entity;  ///< Entity::value; that of kNoEntity where nothing is hit
     std::vector<std::uint8_t> patch_id; ///< as in Mesh::patch_ids
     std::vector<float> depth;           ///< view depth, metres; infinite where nothing is hit
-    std::vector<float> n_dot_l;         ///< 0 where nothing is hit
+    std::vector<glm::vec3>
+        normal;                 ///< unit, geometric, towards the viewer; zero where nothing is hit
+    std::vector<float> n_dot_l; ///< 0 where nothing is hit
 
     VisibilityImage() = default;
     VisibilityImage(int width_px, int height_px);

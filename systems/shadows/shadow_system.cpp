@@ -167,6 +167,11 @@ void ShadowSystem::apply(
         if (running.light == light) running.job->apply(frame, scene_.camera, target);
 }
 
+const ShadowJob* ShadowSystem::job(std::uint32_t light, const std::string& technique) const {
+    const auto found = jobs_.find(JobKey{light, technique});
+    return found == jobs_.end() ? nullptr : found->second.job.get();
+}
+
 std::vector<std::string> ShadowSystem::unserved() const {
     std::vector<std::string> sentences;
     for (const Plan& plan : plan_.plans) {

@@ -43,6 +43,9 @@ public:
     [[nodiscard]] const ShadowScene& scene() const { return scene_; }
     [[nodiscard]] const FramePlan& plan() const { return plan_; }
     [[nodiscard]] const Techniques& techniques() const { return techniques_; }
+    /// What draws the masks of the plans that name a technique for a light. Null when nothing has
+    /// to be drawn. @param light its id
+    [[nodiscard]] const ShadowJob* job(std::uint32_t light, const std::string& technique) const;
     /// Pairs that got no technique although something can darken them, as sentences.
     [[nodiscard]] std::vector<std::string> unserved() const;
     /// Jobs redrawn in the last frame.

@@ -11,6 +11,7 @@
 #include "systems/shadows/pairs.hpp"
 #include "systems/shadows/plan.hpp"
 #include "systems/shadows/remedies.hpp"
+#include "systems/shadows/resolution.hpp"
 
 #include <functional>
 #include <memory>
@@ -40,8 +41,8 @@ struct TechniqueTraits {
 
 /// What a job serves this frame.
 struct ShadowRequest {
-    const ShadowScene& scene;
     const scene::World& world; ///< where the scene was taken from; for vertices alone
+    const ShadowScene& scene;
     std::uint32_t light = 0;             ///< index into scene.lights
     std::span<const CasterGroup> groups; ///< of the light
     std::span<const Plan* const> plans;  ///< the light's plans that name this job's technique
@@ -77,6 +78,13 @@ public:
         const render::VisibilityTarget& target) = 0;
     /// Whether apply() works with the stencil.
     [[nodiscard]] virtual bool needs_stencil() const { return false; }
+    /// How coarse the mask is at a point that the job serves. @pre update() was called
+    [[nodiscard]] virtual Resolution
+    resolution(const scene::CameraView& camera, const SurfacePoint& point) const {
+        static_cast<void>(camera);
+        static_cast<void>(point);
+        return {};
+    }
     /// Device memory that the job holds, for stats.json.
     [[nodiscard]] virtual std::size_t gpu_bytes() const { return 0; }
 };

@@ -55,6 +55,18 @@ int filter_border(MapFilter filter) {
     return kPcfWidth / 2 + 1;
 }
 
+double filter_reach(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::nearest:
+        return 0.5;
+    case MapFilter::bilinear:
+        return 1.0;
+    case MapFilter::pcf:
+        break;
+    }
+    return 0.5 * (kPcfWidth + 1);
+}
+
 double edge_error_texels(MapFilter filter) {
     switch (filter) {
     case MapFilter::nearest:

@@ -22,6 +22,10 @@ engine::Result<MapFilter> map_filter(const scene::ShadowWish& wish);
 /// Texels that the filter reads beyond the one it looks up.
 int filter_border(MapFilter filter);
 
+/// Texels from a place to the farthest centre that the filter reads, along an axis: FILTER_REACH of
+/// map_mask.frag.
+double filter_reach(MapFilter filter);
+
 /// Mean error per length of edge, in texels, against a hard shadow. Source: nearest 0.2422,
 /// bilinear over 2 x 2 texels 0.332 and 3 x 3 such taps 0.762, isotropic edges over a random grid;
 /// see tests/tools/measure/constants_test.cpp.

@@ -4,6 +4,7 @@
 
 #include "systems/shadows/maps/cascade_fit.hpp"
 #include "systems/shadows/maps/map_error.hpp"
+#include "systems/shadows/maps/map_resolution.hpp"
 #include "systems/shadows/screen_bounds.hpp"
 #include "systems/shadows/techniques/map_job.hpp"
 
@@ -43,6 +44,13 @@ double texel_of_one(const PairView& pair) {
     return 2.0 * half_width * std::hypot(1.0, camera.aspect());
 }
 
+/// From a point to the nearest side of a layer, texels; negative outside.
+double texels_inside(const ParallelView& view, const glm::dvec3& point) {
+    const glm::dvec2 texel = (glm::dvec2(view.light_from(point)) - view.min) / view.texel;
+    const glm::dvec2 inside = glm::min(texel, static_cast<double>(view.size) - texel);
+    return std::min(inside.x, inside.y);
+}
+
 class CascadedJob final : public MapJob {
 public:
     CascadedJob() : MapJob("cascaded_map") {}
@@ -54,6 +62,24 @@ public:
         for (std::size_t i = 0; i < views.size(); ++i)
             if (views[i].min != views_[i].min || views[i].texel != views_[i].texel) return false;
         return true;
+    }
+
+    [[nodiscard]] Resolution
+    resolution(const scene::CameraView& camera, const SurfacePoint& point) const override {
+        // As light_at of map_mask.frag: the finest cascade that holds the point, and its last tenth
+        // fades into the next.
+        const double border = filter_border(filter());
+        const std::size_t last = views_.size() - 1;
+        std::size_t layer = 0;
+        while (layer < last && texels_inside(views_[layer], point.position) < border)
+            ++layer;
+        const ParallelView& view = views_[layer];
+        const double reach = filter_reach(filter());
+        const Resolution finest = on_screen(camera, point, texel_at(view, point, reach));
+        const bool fades =
+            texels_inside(view, point.position) - border < 0.1 * static_cast<double>(view.size);
+        if (layer == last || !fades) return finest;
+        return coarser(finest, on_screen(camera, point, texel_at(views_[layer + 1], point, reach)));
     }
 
 protected:

@@ -1,5 +1,7 @@
 #include "systems/shadows/techniques/local_map_job.hpp"
 
+#include "systems/shadows/maps/map_resolution.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,12 +34,24 @@ int LocalMapJob::size_for(const PairView& pair, const CasterGroup& casters) cons
     return map_size_for(pair, casters, filter(), pyramid_texel_of_one(pair, tan_half));
 }
 
+Resolution
+LocalMapJob::resolution(const scene::CameraView& camera, const SurfacePoint& point) const {
+    const auto ahead = [&](const PyramidView& view) {
+        return (view.light_from_world * (point.position - view.position)).z;
+    };
+    const auto looked_into = std::max_element(
+        views_.begin(), views_.end(), [&](const PyramidView& a, const PyramidView& b) {
+            return ahead(a) < ahead(b);
+        });
+    if (ahead(*looked_into) <= 0.0) return {};
+    return on_screen(camera, point, texel_at(*looked_into, point, filter_reach(filter())));
+}
+
 void LocalMapJob::place(const gpu::Program& mask, const scene::CameraView& camera) const {
     const PyramidView& first = views_.front();
     const auto size = static_cast<float>(first.size);
     mask.set(
-        "light_from_world",
-        glm::mat3(kind_ == Kind::cube ? cube_turn() : first.light_from_world));
+        "light_from_world", glm::mat3(kind_ == Kind::cube ? cube_turn() : first.light_from_world));
     mask.set("light_position", glm::vec3(first.position - camera.position));
     mask.set("map_depth", glm::vec4(static_cast<float>(first.near), 0.0F, 0.0F, 0.0F));
     mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, 0.0F));

@@ -16,6 +16,9 @@ public:
 
     LocalMapJob(Kind kind, std::string_view technique) : MapJob(technique), kind_(kind) {}
 
+    [[nodiscard]] Resolution
+    resolution(const scene::CameraView& camera, const SurfacePoint& point) const override;
+
 protected:
     void fit(const ShadowRequest& request, int size) override;
     [[nodiscard]] int layers() const override { return kind_ == Kind::spot ? 1 : 6; }
