@@ -97,6 +97,61 @@ TEST(Truth, ACrackThinnerThanTheOffsetsIsUndecided) {
     EXPECT_EQ(truth.undecided[0], 0);
 }
 
+/// A wire a tenth of a pixel thick, high above a floor that is seen from straight above.
+struct Wire {
+    SmallWorld small;
+    scene::CameraView camera = camera_at({0, 10, 0.001}, {0, 0, 0}, 64, 64);
+    double pixel = 10.0 * camera.pixel_size();
+    scene::PlacedLight sun = sun_along({1, -1, 0});
+
+    Wire() {
+        small.add(scene::make_plane({20, 20}));
+        small.add(
+            scene::make_box({static_cast<float>(0.1 * pixel), 0.001F, 20.0F}),
+            glm::dvec3(-1.0 + 0.25 * pixel, 1.0, 0.0));
+    }
+};
+
+TEST(EdgeNear, FindsTheShadowOfAWireThatNoPixelShows) {
+    Wire wire;
+    const trace::TraceScene traced(wire.small.world);
+    const TruthImage truth = true_visibility(traced, wire.camera, wire.sun);
+    const auto found = [&](double x, double radius) {
+        return edge_near(traced, wire.camera, wire.sun, {x, 40.5}, true, radius, 0.0);
+    };
+
+    // The shadow falls a quarter of a pixel right of the picture's middle, which is the corner of
+    // four pixels.
+    EXPECT_EQ(truth.image.visibility[truth.image.index(32, 40)], 1.0F);
+    EXPECT_TRUE(found(32.5, 1.0));
+    EXPECT_TRUE(found(34.5, 3.0));
+    EXPECT_FALSE(found(34.5, 1.0));
+    EXPECT_FALSE(found(38.5, 3.0));
+}
+
+TEST(SecondGrid, IsHalfAPixelRightOfAndBelowTheFirst) {
+    Yard yard;
+    scene::CameraView finer = yard.camera;
+    finer.width *= 2;
+    finer.height *= 2;
+
+    const auto second = second_grid(yard.traced, yard.camera, yard.sun, {});
+
+    // Centres of a picture twice as fine lie a quarter of a pixel off either grid: corners of
+    // pixels are where four of them meet.
+    const TruthImage fine = true_visibility(yard.traced, finer, yard.sun);
+    std::size_t same = 0;
+    for (int y = 0; y + 1 < second.height; ++y)
+        for (int x = 0; x + 1 < second.width; ++x)
+            if (second.visibility[second.index(x, y)]
+                == fine.image.visibility[fine.image.index(2 * x + 2, 2 * y + 2)])
+                ++same;
+    EXPECT_GT(static_cast<double>(same), 0.97 * static_cast<double>(second.pixel_count()));
+    const auto corner = trace::trace_pixel(yard.traced, yard.camera, yard.sun, {11.0, 51.0}, {});
+    ASSERT_TRUE(corner.hit);
+    EXPECT_EQ(second.depth[second.index(10, 50)], static_cast<float>(corner.hit->t));
+}
+
 TEST(Validity, NeedsTheSameEntityAtTheSameDepth) {
     Yard yard;
     const TruthImage truth = true_visibility(yard.traced, yard.camera, yard.sun);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/measure/figures.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -37,7 +39,10 @@ DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera) {
     std::vector<std::uint32_t> entity_of(receivers.end(), ecs::kNoEntity.value);
     for (const scene::ReceiverRange& range : receivers.ranges())
         std::fill_n(entity_of.begin() + range.first, range.count, range.entity.value);
-    for (const std::uint32_t id : studio.receiver_ids())
+    Studio::Surfaces surfaces = studio.surfaces();
+    drawn.receiver = std::move(surfaces.receiver);
+    drawn.normal = std::move(surfaces.normal);
+    for (const std::uint32_t id : drawn.receiver)
         drawn.entity.push_back(entity_of[id]);
     return drawn;
 }
@@ -76,6 +81,10 @@ measure::Comparison make_comparison(
             const glm::dvec3 place =
                 camera.ray_direction(x + 0.5, y + 0.5) * static_cast<double>(evidence.truth_depth);
             const glm::vec3 to_light(light.position - camera.position - place);
+            const glm::vec3 towards =
+                light.light.kind == scene::LightKind::directional ? -light.direction : to_light;
+            evidence.n_dot_l =
+                std::min(evidence.n_dot_l, glm::dot(drawn.normal[pixel], glm::normalize(towards)));
             if (evidence.truth_entity != 0 && !(scene::illuminance_at(light, to_light) > 0.0F))
                 evidence.n_dot_l = 0.0F;
             comparison.kind[pixel] = measure::classify(evidence);
@@ -85,6 +94,7 @@ measure::Comparison make_comparison(
 
 engine::Image error_image(const measure::Comparison& comparison) {
     engine::Image image(comparison.measured.width, comparison.measured.height, 3);
+    const std::vector<std::uint8_t> far = measure::far_errors(comparison);
     for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel) {
         const float measured = comparison.measured.visibility[pixel];
         const float truth = comparison.truth.visibility[pixel];
@@ -93,6 +103,8 @@ engine::Image error_image(const measure::Comparison& comparison) {
         const glm::vec3 wrong =
             measured < truth ? glm::vec3(1.0F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 1.0F);
         color = glm::mix(color, wrong, error);
+        if (far[pixel] != 0)
+            color = measured < truth ? glm::vec3(1.0F, 0.9F, 0.0F) : glm::vec3(0.0F, 1.0F, 1.0F);
         if (comparison.kind[pixel] != measure::PixelKind::valid) color = glm::vec3(0.35F);
         for (int channel = 0; channel < 3; ++channel)
             image.bytes[3 * pixel + static_cast<std::size_t>(channel)] = byte_of(color[channel]);

@@ -13,8 +13,10 @@ namespace gnomon {
 
 /// What the rasteriser saw: one value per pixel, top row first.
 struct DrawnSurfaces {
-    std::vector<std::uint32_t> entity; ///< Entity::value; that of kNoEntity where nothing is
-    std::vector<float> depth;          ///< view depth, metres
+    std::vector<std::uint32_t> receiver; ///< its id; 0 where nothing is
+    std::vector<std::uint32_t> entity;   ///< Entity::value; that of kNoEntity where nothing is
+    std::vector<float> depth;            ///< view depth, metres
+    std::vector<glm::vec3> normal;       ///< unit, as it is shaded
 };
 
 /// Of the studio's last frame.
@@ -36,7 +38,8 @@ measure::Comparison make_comparison(
     const scene::PlacedLight& light);
 
 /// Green where both agree, red where it is dark but should be lit, blue where it is lit but should
-/// be dark; pixels that no figure uses are grey.
+/// be dark; yellow and cyan the same farther from every true edge than the technique's resolution;
+/// pixels that no figure uses are grey.
 engine::Image error_image(const measure::Comparison& comparison);
 
 } // namespace gnomon

@@ -74,12 +74,19 @@ Run add_measure(CLI::App& app) {
             "auto, map, or names of techniques, several with commas; map@1024, map@1024:pcf and "
             "auto@0.5 say more")
         ->delimiter(',');
-    command->add_option("--protocol", options->measure.protocol, "still, walk, or both")
-        ->check(CLI::IsMember({"still", "walk", "both"}))
+    command
+        ->add_option(
+            "--protocol",
+            options->measure.protocols,
+            "what the camera does: still, walk, yaw, several with commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(kProtocols))
         ->capture_default_str();
     command
         ->add_option(
-            "--walk-frames", options->measure.walk_frames, "frames of the walk, 1/60 s each")
+            "--moving-frames",
+            options->measure.moving_frames,
+            "frames of the walk or the turn, 1/60 s each")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
     command

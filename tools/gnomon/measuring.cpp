@@ -4,11 +4,15 @@
 #include "engine/scene/views.hpp"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/serving.hpp"
 #include "tools/gnomon/text_files.hpp"
 
 namespace gnomon {
@@ -17,6 +21,7 @@ namespace {
 
 constexpr double kWalkSpeed = 1.4; // m/s
 constexpr double kFrameSeconds = 1.0 / 60.0;
+constexpr double kTurnPerFrame = std::numbers::pi / 180.0;
 constexpr int kStillFrames = 16;
 constexpr std::size_t kTrackedPoints = 20000;
 
@@ -50,9 +55,7 @@ public:
 
     truth::TruthImage
     truth(const scene::CameraView& camera, const scene::PlacedLight& light) const {
-        truth::TruthOptions options;
-        options.visibility.samples = options_.truth_samples;
-        return truth::true_visibility(tracer_, camera, light, options);
+        return truth::true_visibility(tracer_, camera, light, truth_options());
     }
 
     /// Draws a frame with a technique. Why it cannot, when it cannot.
@@ -77,16 +80,40 @@ public:
         return make_comparison(*mask, truth, drawn, camera, studio_.lights()[light]);
     }
 
+    /// What only a still picture is asked: how coarse it may be where, and who drew it.
+    void add_serving(
+        const scene::CameraView& camera,
+        std::size_t light,
+        const truth::TruthImage& truth,
+        measure::Comparison& comparison,
+        measure::Row& row) {
+        const DrawnSurfaces drawn = drawn_surfaces(studio_, camera);
+        const Serving serving(studio_.shadows(), light);
+        comparison.resolution_band_px = serving.bands_px(drawn, truth, camera);
+        find_hidden_edges(camera, light, comparison);
+        if (row.technique.rfind("auto", 0) == 0) row.picked = serving.shares(drawn, comparison);
+    }
+
+    /// The camera stays where it is.
+    engine::Result<std::vector<measure::Row>>
+    stills(const scene::CameraView& camera, std::size_t light);
+    /// The camera walks or turns.
+    engine::Result<std::vector<measure::Row>>
+    moving(const scene::CameraView& start, std::size_t light, const std::string& protocol);
+
+private:
     engine::Result<measure::Row> still(
         const scene::CameraView& camera,
         std::size_t light,
         const std::string& technique,
         const truth::TruthImage& truth);
-
-    engine::Result<std::vector<measure::Row>>
-    walk(const scene::CameraView& start, std::size_t light);
-
-private:
+    [[nodiscard]] truth::TruthOptions truth_options() const {
+        truth::TruthOptions options;
+        options.visibility.samples = options_.truth_samples;
+        return options;
+    }
+    void find_hidden_edges(
+        const scene::CameraView& camera, std::size_t light, measure::Comparison& comparison) const;
     engine::Result<measure::Figure> changed(const scene::CameraView& camera, std::size_t light);
     engine::Result<void>
     add_luminance(const scene::CameraView& camera, measure::Comparison& comparison);
@@ -162,6 +189,7 @@ engine::Result<measure::Row> Measurement::still(
     if (auto timed = add_times(camera, row); !timed) return timed.error();
     auto comparison = compare(camera, light, truth);
     if (!comparison) return comparison.error();
+    add_serving(camera, light, truth, *comparison, row);
     if (auto lit = add_luminance(camera, *comparison); !lit) return lit.error();
     // The traced technique is truth by its construction: agreeing with it is no copied result.
     comparison->exact_by_construction = technique == "traced";
@@ -172,6 +200,45 @@ engine::Result<measure::Row> Measurement::still(
     row.motion->changed_px = *unchanged;
     if (auto written = write_pictures(row, *comparison); !written) return written.error();
     return row;
+}
+
+/// Looks closer at what would count as a wrong shape. Where very much would, it is one.
+void Measurement::find_hidden_edges(
+    const scene::CameraView& camera, std::size_t light, measure::Comparison& comparison) const {
+    constexpr std::ptrdiff_t kMostPixels = 4096;
+    const std::vector<std::uint8_t> far = measure::far_errors(comparison);
+    if (std::count(far.begin(), far.end(), 1) > kMostPixels) return;
+    comparison.hidden_edge.assign(far.size(), 0);
+    trace::for_each_row(camera.height, 0, nullptr, [&](int y) {
+        for (int x = 0; x < camera.width; ++x) {
+            const std::size_t pixel = comparison.truth.index(x, y);
+            if (far[pixel] == 0) continue;
+            const bool found = truth::edge_near(
+                tracer_,
+                camera,
+                studio_.lights()[light],
+                {x + 0.5, y + 0.5},
+                measure::lit(comparison.truth.visibility[pixel]),
+                static_cast<double>(comparison.resolution_band_px[pixel]),
+                static_cast<double>(measure::kGrazingCosine));
+            comparison.hidden_edge[pixel] = found ? 1 : 0;
+        }
+    });
+}
+
+engine::Result<std::vector<measure::Row>>
+Measurement::stills(const scene::CameraView& camera, std::size_t light) {
+    const scene::PlacedLight placed = studio_.lights()[light];
+    progress(fmt::format("{}: light '{}': truth", level_.name, placed.name));
+    const truth::TruthImage truth = this->truth(camera, placed);
+    std::vector<measure::Row> rows;
+    for (const std::string& technique : options_.techniques) {
+        progress(fmt::format("{}: light '{}': {}", level_.name, placed.name, technique));
+        auto row = still(camera, light, technique, truth);
+        if (!row) return row.error();
+        rows.push_back(*std::move(row));
+    }
+    return rows;
 }
 
 /// Where the true surfaces of a frame are, for choosing points to follow.
@@ -187,6 +254,7 @@ surface_points(const scene::CameraView& camera, const trace::VisibilityImage& im
     return points;
 }
 
+/// Along the view, on the level.
 scene::CameraView walked(scene::CameraView camera, int frame) {
     glm::dvec3 forward = -glm::dvec3(camera.world_from_view[2]);
     forward.y = 0.0;
@@ -196,10 +264,21 @@ scene::CameraView walked(scene::CameraView camera, int frame) {
     return camera;
 }
 
-engine::Result<std::vector<measure::Row>>
-Measurement::walk(const scene::CameraView& start, std::size_t light) {
+/// To the left.
+scene::CameraView turned(scene::CameraView camera, int frame) {
+    const glm::dmat4 turn =
+        glm::rotate(glm::dmat4(1.0), kTurnPerFrame * frame, glm::dvec3(0.0, 1.0, 0.0));
+    camera.world_from_view = glm::mat3(glm::dmat3(turn) * glm::dmat3(camera.world_from_view));
+    return camera;
+}
+
+engine::Result<std::vector<measure::Row>> Measurement::moving(
+    const scene::CameraView& start, std::size_t light, const std::string& protocol) {
+    const auto camera_at = [&](int frame) {
+        return protocol == "yaw" ? turned(start, frame) : walked(start, frame);
+    };
     const scene::PlacedLight placed = studio_.lights()[light];
-    const scene::CameraView end = walked(start, options_.walk_frames - 1);
+    const scene::CameraView end = camera_at(options_.moving_frames - 1);
     const auto points = measure::choose_points(
         surface_points(start, truth(start, placed).image),
         surface_points(end, truth(end, placed).image),
@@ -209,18 +288,21 @@ Measurement::walk(const scene::CameraView& start, std::size_t light) {
     std::vector<measure::MotionRecorder> recorders;
     for (const std::string& technique : options_.techniques) {
         rows.push_back(row(start, placed, technique));
-        rows.back().settings = fmt::format("walk of {} frames", options_.walk_frames);
+        rows.back().settings = fmt::format("{} of {} frames", protocol, options_.moving_frames);
         recorders.emplace_back(points);
     }
-    for (int frame = 0; frame < options_.walk_frames; ++frame) {
+    for (int frame = 0; frame < options_.moving_frames; ++frame) {
         progress(fmt::format(
-            "{}: light '{}': walk {}/{}",
+            "{}: light '{}': {} {}/{}",
             level_.name,
             placed.name,
+            protocol,
             frame + 1,
-            options_.walk_frames));
-        const scene::CameraView camera = walked(start, frame);
+            options_.moving_frames));
+        const scene::CameraView camera = camera_at(frame);
         const truth::TruthImage true_image = truth(camera, placed);
+        const trace::VisibilityImage second =
+            truth::second_grid(tracer_, camera, placed, truth_options().visibility);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (!rows[i].note.empty()) continue;
             if (auto drawn = draw(camera, options_.techniques[i]); !drawn) {
@@ -230,9 +312,10 @@ Measurement::walk(const scene::CameraView& start, std::size_t light) {
             auto comparison = compare(camera, light, true_image);
             if (!comparison) return comparison.error();
             recorders[i].add(
-                *std::move(comparison), true_image.image.depth, [&](const glm::dvec3& point) {
-                    return camera.project(point);
-                });
+                *std::move(comparison),
+                true_image.image.depth,
+                [&](const glm::dvec3& point) { return camera.project(point); },
+                measure::SecondGrid{second.visibility, second.depth});
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -252,19 +335,9 @@ engine::Result<void> measure_level(
     if (auto drawn = measurement.draw(camera, "none"); !drawn) return drawn;
     const std::size_t light_count = studio.lights().size();
     for (std::size_t light = 0; light < light_count; ++light) {
-        const scene::PlacedLight placed = studio.lights()[light];
-        if (options.protocol != "walk") {
-            progress(fmt::format("{}: light '{}': truth", level.name, placed.name));
-            const truth::TruthImage truth = measurement.truth(camera, placed);
-            for (const std::string& technique : options.techniques) {
-                progress(fmt::format("{}: light '{}': {}", level.name, placed.name, technique));
-                auto row = measurement.still(camera, light, technique, truth);
-                if (!row) return row.error();
-                report.add(*std::move(row));
-            }
-        }
-        if (options.protocol != "still") {
-            auto rows = measurement.walk(camera, light);
+        for (const std::string& protocol : options.protocols) {
+            auto rows = protocol == "still" ? measurement.stills(camera, light)
+                                            : measurement.moving(camera, light, protocol);
             if (!rows) return rows.error();
             for (measure::Row& row : *rows)
                 report.add(std::move(row));

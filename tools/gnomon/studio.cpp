@@ -4,6 +4,8 @@
 #include "engine/gpu/readback.hpp"
 #include "engine/scene/views.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gnomon {
@@ -12,6 +14,17 @@ namespace {
 
 /// As include/gbuffer.glsl packs it.
 constexpr std::uint32_t kReceiverMask = scene::kMaxReceivers - 1;
+
+/// surface_direction(), made unit length.
+glm::vec3 normal_of(const glm::uvec2& texel) {
+    const glm::uvec2 bits((texel.x >> 20U) & 0x3FFU, (texel.x >> 30U) | ((texel.y >> 24U) << 2U));
+    const glm::vec2 point = glm::vec2(bits) - 512.0F;
+    glm::vec3 normal(point, 511.0F - std::abs(point.x) - std::abs(point.y));
+    const float fold = std::max(-normal.z, 0.0F);
+    normal.x -= std::copysign(fold, normal.x);
+    normal.y -= std::copysign(fold, normal.y);
+    return glm::normalize(normal);
+}
 
 } // namespace
 
@@ -52,13 +65,16 @@ engine::Image Studio::color() const {
     return gpu::read_image(color_);
 }
 
-std::vector<std::uint32_t> Studio::receiver_ids() const {
-    const auto surface = gpu::read_uint_pairs(renderer_.gbuffer().surface());
-    std::vector<std::uint32_t> ids;
-    ids.reserve(surface.values.size());
-    for (const glm::uvec2& texel : surface.values)
-        ids.push_back(texel.x & kReceiverMask);
-    return ids;
+Studio::Surfaces Studio::surfaces() const {
+    const auto packed = gpu::read_uint_pairs(renderer_.gbuffer().surface());
+    Surfaces surfaces;
+    surfaces.receiver.reserve(packed.values.size());
+    surfaces.normal.reserve(packed.values.size());
+    for (const glm::uvec2& texel : packed.values) {
+        surfaces.receiver.push_back(texel.x & kReceiverMask);
+        surfaces.normal.push_back(normal_of(texel));
+    }
+    return surfaces;
 }
 
 std::vector<float> Studio::view_depth(const scene::CameraView& camera) const {

@@ -25,8 +25,13 @@ public:
 
     /// What the last draw left.
     [[nodiscard]] engine::Image color() const;
-    /// Receiver ids, one a pixel, top row first.
-    [[nodiscard]] std::vector<std::uint32_t> receiver_ids() const;
+    /// One value a pixel, top row first.
+    struct Surfaces {
+        std::vector<std::uint32_t> receiver; ///< its id; 0 where nothing is
+        std::vector<glm::vec3> normal;       ///< unit, as it is shaded
+    };
+    [[nodiscard]] Surfaces surfaces() const;
+    [[nodiscard]] std::vector<std::uint32_t> receiver_ids() const { return surfaces().receiver; }
     /// View depth in metres, infinite where nothing is.
     [[nodiscard]] std::vector<float> view_depth(const scene::CameraView& camera) const;
     /// Visibility of a light, 8-bit grey. @param light index into lights()

@@ -49,20 +49,44 @@ void add_pixel_counts(const Comparison& input, const DistanceField& to_edge, Fig
     figures.undecided_share = ratio(undecided, surface, "no surface in the picture");
 }
 
-/// The wrong pixels farther from every true edge than `radius_px(i)`.
+/// 1 for valid pixels farther from every true edge than `radius_px(i)`.
 template <class Radius>
-InteriorErrors interior_errors(
-    const Comparison& input, const DistanceField& to_edge, double valid_px, Radius radius_px) {
-    InteriorErrors errors;
+std::vector<std::uint8_t>
+beyond(const Comparison& input, const DistanceField& to_edge, Radius radius_px) {
     std::vector<std::uint8_t> marked(input.truth.pixel_count());
     for (int y = 0; y < input.truth.height; ++y)
         for (int x = 0; x < input.truth.width; ++x) {
             const std::size_t i = input.truth.index(x, y);
-            if (input.kind[i] != PixelKind::valid || !wrong(input, i)) continue;
-            if (to_edge.to_pixel(x, y) <= radius_px(i)) continue;
-            marked[i] = 1;
-            ++(lit(input.truth.visibility[i]) ? errors.false_shadow_px : errors.light_leak_px);
+            if (input.kind[i] == PixelKind::valid && to_edge.to_pixel(x, y) > radius_px(i))
+                marked[i] = 1;
         }
+    return marked;
+}
+
+/// 1 for valid pixels whose distance to true edges is more than the technique's resolution excuses.
+std::vector<std::uint8_t> beyond_band(const Comparison& input, const DistanceField& to_edge) {
+    const std::vector<float>& band = input.resolution_band_px;
+    std::vector<std::uint8_t> marked = beyond(input, to_edge, [&](std::size_t i) {
+        return band.empty() ? kBandPx : std::max(kBandPx, band[band.size() == 1 ? 0 : i]);
+    });
+    for (std::size_t i = 0; i < input.hidden_edge.size(); ++i)
+        if (input.hidden_edge[i] != 0) marked[i] = 0;
+    return marked;
+}
+
+/// The wrong ones among marked pixels.
+/// @param marked consumed
+InteriorErrors
+errors_among(const Comparison& input, double valid_px, std::vector<std::uint8_t> marked) {
+    InteriorErrors errors;
+    for (std::size_t i = 0; i < marked.size(); ++i) {
+        if (marked[i] == 0) continue;
+        if (!wrong(input, i)) {
+            marked[i] = 0;
+            continue;
+        }
+        ++(lit(input.truth.visibility[i]) ? errors.false_shadow_px : errors.light_leak_px);
+    }
     const Blobs blobs = find_blobs(input.truth.width, input.truth.height, std::move(marked));
     errors.largest_px = static_cast<double>(blobs.largest_px);
     errors.components = ratio(1000.0 * static_cast<double>(blobs.count), valid_px, kNoValidPixels);
@@ -75,22 +99,27 @@ void add_misclassification(
         if (input.kind[i] != PixelKind::valid || !wrong(input, i)) continue;
         ++(lit(input.truth.visibility[i]) ? figures.false_shadow_px : figures.light_leak_px);
     }
-    figures.interior =
-        interior_errors(input, to_edge, figures.valid_px, [](std::size_t) { return kBandPx; });
+    figures.interior = errors_among(
+        input, figures.valid_px, beyond(input, to_edge, [](std::size_t) { return kBandPx; }));
+}
 
-    const std::vector<float>& band = input.resolution_band_px;
-    if (band.empty()) {
-        const Figure missing = Figure::missing("this technique has no resolution of its own");
+/// Errors beyond the technique's own resolution.
+void add_structure(const Comparison& input, const DistanceField& to_edge, Figures& figures) {
+    std::vector<std::uint8_t> far = beyond_band(input, to_edge);
+    const auto far_px = static_cast<double>(std::count(far.begin(), far.end(), 1));
+    figures.band_share = ratio(figures.valid_px - far_px, figures.valid_px, kNoValidPixels);
+    if (figures.valid_px > 0.0 && figures.band_share.value() > kMaxBandShare) {
+        const Figure missing = Figure::missing(fmt::format(
+            "not judged: more than {:.0f} % of the valid pixels lie within the resolution of a "
+            "true edge",
+            100.0 * kMaxBandShare));
         figures.far_false_shadow_px = figures.far_light_leak_px = figures.far_largest_px = missing;
         return;
     }
-    const InteriorErrors far =
-        interior_errors(input, to_edge, figures.valid_px, [&](std::size_t i) {
-            return std::max(kBandPx, band[band.size() == 1 ? 0 : i]);
-        });
-    figures.far_false_shadow_px = far.false_shadow_px;
-    figures.far_light_leak_px = far.light_leak_px;
-    figures.far_largest_px = far.largest_px;
+    const InteriorErrors errors = errors_among(input, figures.valid_px, std::move(far));
+    figures.far_false_shadow_px = errors.false_shadow_px;
+    figures.far_light_leak_px = errors.light_leak_px;
+    figures.far_largest_px = errors.largest_px;
 }
 
 void add_visibility(const Comparison& input, Figures& figures) {
@@ -158,6 +187,7 @@ Figures compare(const Comparison& input) {
     figures.edge_px = crofton_length(truth.cracks.size());
     add_pixel_counts(input, truth.distance, figures);
     add_misclassification(input, truth.distance, figures);
+    add_structure(input, truth.distance, figures);
     const EdgeDistance edges = edge_distance(measured, truth, std::hypot(width, height));
     figures.chamfer_px = edges.chamfer_px;
     figures.hausdorff95_px = edges.hausdorff95_px;
@@ -166,6 +196,14 @@ Figures compare(const Comparison& input) {
     add_double_dark(input, figures);
     add_floors(input, figures);
     return figures;
+}
+
+std::vector<std::uint8_t> far_errors(const Comparison& input) {
+    const Edge truth = find_edge(input.truth, input.kind);
+    std::vector<std::uint8_t> marked = beyond_band(input, truth.distance);
+    for (std::size_t i = 0; i < marked.size(); ++i)
+        if (!wrong(input, i)) marked[i] = 0;
+    return marked;
 }
 
 std::vector<std::string> warnings(const Figures& figures) {

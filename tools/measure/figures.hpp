@@ -9,6 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,10 @@ struct Figures {
     // Misclassified: dark for lit, lit for dark.
     double false_shadow_px = 0.0;
     double light_leak_px = 0.0;
-    InteriorErrors interior;    ///< farther than 1 px from every true edge
-    Figure far_false_shadow_px; ///< farther than the technique's own resolution allows: structural
-                                ///< errors
+    InteriorErrors interior; ///< farther than 1 px from every true edge
+    Figure band_share; ///< valid pixels no farther from a true edge than the technique's resolution
+    /// Beyond that band: a wrong picture. Not judged where the band covers most of what could be.
+    Figure far_false_shadow_px;
     Figure far_light_leak_px;
     Figure far_largest_px;
 
@@ -69,6 +71,9 @@ struct Figures {
 /// Errors: none; figures that cannot be computed carry the reason.
 /// Cost: linear in pixels, two distance transforms at twice the resolution.
 Figures compare(const Comparison& input);
+
+/// 1 for each pixel that the figures called far count, judged or not.
+std::vector<std::uint8_t> far_errors(const Comparison& input);
 
 /// Gates that were not passed and doubts, one sentence each.
 std::vector<std::string> warnings(const Figures& figures);

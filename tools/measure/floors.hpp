@@ -23,6 +23,8 @@ inline constexpr double kMinEdgePx = 32.0;
 
 inline constexpr double kMaxInvalidShare = 0.02;
 inline constexpr double kMaxUndecidedShare = 0.005;
+/// A picture whose pixels lie closer to edges than its texels are wide proves nothing.
+inline constexpr double kMaxBandShare = 0.25;
 /// Double darkening: darker than the reference by more than two steps of an 8-bit picture.
 inline constexpr float kDarkerThanReference = 2.0F / 255.0F;
 

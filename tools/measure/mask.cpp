@@ -2,6 +2,7 @@
 
 #include "engine/core/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,6 +19,10 @@ PixelKind classify(const PixelEvidence& evidence) {
     if (evidence.n_dot_l <= 0.0F) return PixelKind::facing_away;
     if (evidence.n_dot_l <= kGrazingCosine) return PixelKind::grazing;
     return evidence.undecided ? PixelKind::undecided : PixelKind::valid;
+}
+
+float resolution_band_px(double texel_px, double shift_px) {
+    return static_cast<float>(std::max(1.0, 0.75 * texel_px + shift_px));
 }
 
 Comparison comparison(Mask measured, Mask truth, bool soft) {
@@ -40,6 +45,7 @@ void check_sizes(const Comparison& input) {
     CHECK_EQ(input.measured.pixel_count(), count);
     CHECK_EQ(input.kind.size(), count);
     CHECK(input.resolution_band_px.size() <= 1 || input.resolution_band_px.size() == count);
+    CHECK(input.hidden_edge.empty() || input.hidden_edge.size() == count);
     CHECK_EQ(input.luminance.size(), input.reference_luminance.size());
     CHECK(input.luminance.empty() || input.luminance.size() == count);
 }

@@ -55,8 +55,9 @@ struct PixelEvidence {
     std::uint32_t truth_entity = 0;
     float measured_depth = 0.0F; ///< view depth, metres
     float truth_depth = 0.0F;
-    float n_dot_l =
-        1.0F; ///< geometric normal against the direction to the light, never an interpolated normal
+    /// Towards the light: the smaller of the geometric normal's and of the one that shading takes.
+    /// Smooth shading leaves facets along its terminator dark although they face the light.
+    float n_dot_l = 1.0F;
     bool undecided = false;
 };
 
@@ -74,9 +75,13 @@ struct Comparison {
 
     /// How far from a true edge, in px, the technique's own resolution may be wrong: empty when it
     /// has none of its own (volumes, projected shadows), one value for all pixels, or one per
-    /// pixel. For a map whose texels cover f px and whose bias moves edges by s px it is max(1,
-    /// 0.75 f + s).
+    /// pixel. See resolution_band_px().
     std::vector<float> resolution_band_px;
+
+    /// 1 for pixels in whose band a true edge lies although no two pixels' truths show it: that of
+    /// a shadow thinner than a pixel, or one that ends where the next pixel shows something else.
+    /// Empty: none.
+    std::vector<std::uint8_t> hidden_edge;
 
     /// Luminance on screen in [0, 1], of the technique and of the same renderer given the true
     /// mask; both empty when pictures were not made.
@@ -88,6 +93,12 @@ struct Comparison {
     /// copied truth.
     bool exact_by_construction = false;
 };
+
+/// How far from a true edge a picture through a grid may be wrong, px; never less than one pixel. A
+/// texel that is dark for lit has its centre on the wrong side, 0.71 of a texel away at most.
+/// @param texel_px pixels that one texel covers along the way in which they are most
+/// @param shift_px how far an edge may move for other reasons
+float resolution_band_px(double texel_px, double shift_px);
 
 /// Every pixel valid.
 /// @pre both masks have the same size

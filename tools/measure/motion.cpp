@@ -70,9 +70,12 @@ pop(const Comparison& before, const Comparison& after, std::span<const float> ti
 }
 
 void MotionRecorder::add(
-    Comparison frame, std::span<const float> truth_depth, const Projection& project) {
+    Comparison frame,
+    std::span<const float> truth_depth,
+    const Projection& project,
+    const std::optional<SecondGrid>& second) {
     check_sizes(frame);
-    if (!tracks_.empty()) tracks_.add(frame, truth_depth, project);
+    if (!tracks_.empty()) tracks_.add(frame, truth_depth, project, second);
     if (last_) pop_ = std::max(pop_, pop(*last_, frame));
     edge_px_sum_ += crofton_length(cracks(frame.truth, frame.kind).size());
     ++frames_;
@@ -85,19 +88,28 @@ MotionFigures MotionRecorder::figures(Figure changed) const {
     result.changed_px = std::move(changed);
     if (frames_ < 2) {
         const Figure missing = Figure::missing("fewer than two frames");
-        result.mean_edge_px = result.tracked_points = result.flicker_per_px = result.pop = missing;
+        result.mean_edge_px = result.tracked_points = result.flicker_per_px =
+            result.truth_flicker_per_px = result.flicker_ratio = result.pop = missing;
         return result;
     }
     result.mean_edge_px = edge_px_sum_ / frames_;
     result.pop = pop_;
     if (tracks_.empty()) {
-        result.tracked_points = result.flicker_per_px =
-            Figure::missing("no surface points were chosen");
+        result.tracked_points = result.flicker_per_px = result.truth_flicker_per_px =
+            result.flicker_ratio = Figure::missing("no surface points were chosen");
         return result;
     }
     const Tracks tracks = tracks_.tracks();
     result.tracked_points = static_cast<double>(tracks.point_count);
     result.flicker_per_px = flicker(tracks, edge_px_sum_ / frames_);
+    result.truth_flicker_per_px = truth_flicker(tracks, edge_px_sum_ / frames_);
+    const Figure& own = result.truth_flicker_per_px;
+    if (!own.known())
+        result.flicker_ratio = own;
+    else if (own.value() == 0.0)
+        result.flicker_ratio = Figure::missing("the truth itself does not flicker");
+    else if (result.flicker_per_px.known())
+        result.flicker_ratio = result.flicker_per_px.value() / own.value();
     return result;
 }
 

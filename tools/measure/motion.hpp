@@ -21,10 +21,12 @@ namespace measure {
 
 struct MotionFigures {
     double frames = 0.0;
-    Figure changed_px;     ///< pixels that change at all while nothing moves
-    Figure mean_edge_px;   ///< true edge length, mean over the frames
-    Figure tracked_points; ///< surface points seen in every frame
-    Figure flicker_per_px; ///< flips per px of true edge and frame
+    Figure changed_px;           ///< pixels that change at all while nothing moves
+    Figure mean_edge_px;         ///< true edge length, mean over the frames
+    Figure tracked_points;       ///< surface points seen in every frame
+    Figure flicker_per_px;       ///< flips per px of true edge and frame
+    Figure truth_flicker_per_px; ///< the same of the truth, sampled on a second grid
+    Figure flicker_ratio;        ///< of the two: 1 is as still as the truth
     Figure
         pop; ///< the largest sudden change of a tile beyond the truth's own, in units of contrast
 };
@@ -54,7 +56,10 @@ public:
     /// @param project     into this frame's picture
     /// Both may be left out when the recorder was given no points.
     void
-    add(Comparison frame, std::span<const float> truth_depth = {}, const Projection& project = {});
+    add(Comparison frame,
+        std::span<const float> truth_depth = {},
+        const Projection& project = {},
+        const std::optional<SecondGrid>& second = {});
 
     /// @param changed what changed_px() found in a sequence where nothing moved
     [[nodiscard]] MotionFigures

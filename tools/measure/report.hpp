@@ -18,6 +18,7 @@ struct Row {
     std::string camera;
     std::string light;
     std::string technique;
+    std::string picked;   ///< what auto picked, by share of the valid pixels
     std::string settings; ///< as one would type them: "--map-size 2048 --filter pcf"
     std::string renderer; ///< the device's own name
     std::optional<Figures> figures;

@@ -49,6 +49,44 @@ bool on_surface(
     return std::abs(expected * place.z - 1.0) < static_cast<double>(kDepthTolerance);
 }
 
+const glm::dvec3 kHalfPixel(0.5, 0.5, 0.0);
+
+/// The pixel that shows a point, if one does.
+std::optional<std::size_t>
+seen_at(const Mask& picture, std::span<const float> depth, const glm::dvec3& place) {
+    const bool inside = place.z > 0.0 && place.x >= 0.0 && place.y >= 0.0 && place.x < picture.width
+                        && place.y < picture.height;
+    if (!inside) return std::nullopt;
+    const int x = static_cast<int>(place.x);
+    const int y = static_cast<int>(place.y);
+    if (!on_surface(picture, depth, x, y, place)) return std::nullopt;
+    return picture.index(x, y);
+}
+
+/// How much more one series changes than the truth, per px of edge and frame.
+Figure excess(const Tracks& tracks, const std::vector<float>& series, double mean_edge_px) {
+    CHECK_EQ(series.size(), tracks.point_count * tracks.frame_count);
+    CHECK_EQ(tracks.truth.size(), series.size());
+    if (tracks.frame_count < 2) return Figure::missing("fewer than two frames");
+    if (tracks.point_count == 0) return Figure::missing("no surface point is seen in every frame");
+    if (mean_edge_px < kMinEdgePx) return Figure::missing("less than 32 px of true edge");
+
+    std::vector<double> more(tracks.point_count);
+    for (std::size_t i = tracks.point_count; i < series.size(); ++i) {
+        const auto step = [&](const std::vector<float>& values) {
+            return std::abs(
+                static_cast<double>(values[i])
+                - static_cast<double>(values[i - tracks.point_count]));
+        };
+        more[i % tracks.point_count] += step(series) - step(tracks.truth);
+    }
+    double sum = 0.0;
+    for (const double value : more)
+        sum += std::max(0.0, value);
+    return sum * tracks.pixels_per_point
+           / (static_cast<double>(tracks.frame_count - 1) * mean_edge_px);
+}
+
 } // namespace
 
 TrackPoints choose_points(
@@ -71,28 +109,35 @@ TrackRecorder::TrackRecorder(TrackPoints points)
       seen_(points_.points.size(), true) {}
 
 void TrackRecorder::add(
-    const Comparison& frame, std::span<const float> truth_depth, const Projection& project) {
+    const Comparison& frame,
+    std::span<const float> truth_depth,
+    const Projection& project,
+    const std::optional<SecondGrid>& second) {
     check_sizes(frame);
     const Mask& picture = frame.truth;
     CHECK_EQ(truth_depth.size(), picture.pixel_count());
+    CHECK(!second || second->visibility.size() == picture.pixel_count());
+    CHECK(!second || second->depth.size() == picture.pixel_count());
+    CHECK(frame_count_ == 0 || second.has_value() == !second_.empty());
     for (std::size_t i = 0; i < points_.points.size(); ++i) {
         measured_.push_back(0.0F);
         truth_.push_back(0.0F);
+        if (second) second_.push_back(0.0F);
         if (!seen_[i]) continue;
         seen_[i] = false;
         const glm::dvec3 place = project(points_.points[i]);
-        const bool inside = place.z > 0.0 && place.x >= 0.0 && place.y >= 0.0
-                            && place.x < picture.width && place.y < picture.height;
-        if (!inside) continue;
-        const int x = static_cast<int>(place.x);
-        const int y = static_cast<int>(place.y);
-        const std::size_t pixel = picture.index(x, y);
-        const bool usable =
-            frame.kind[pixel] == PixelKind::valid || frame.kind[pixel] == PixelKind::undecided;
-        if (!usable || !on_surface(picture, truth_depth, x, y, place)) continue;
+        const auto pixel = seen_at(picture, truth_depth, place);
+        if (!pixel) continue;
+        const PixelKind kind = frame.kind[*pixel];
+        if (kind != PixelKind::valid && kind != PixelKind::undecided) continue;
+        if (second) {
+            const auto sample = seen_at(picture, second->depth, place - kHalfPixel);
+            if (!sample) continue;
+            second_.back() = second->visibility[*sample];
+        }
         seen_[i] = true;
-        measured_.back() = frame.measured.visibility[pixel];
-        truth_.back() = picture.visibility[pixel];
+        measured_.back() = frame.measured.visibility[*pixel];
+        truth_.back() = picture.visibility[*pixel];
     }
     ++frame_count_;
 }
@@ -106,31 +151,19 @@ Tracks TrackRecorder::tracks() const {
         if (!seen_[i % seen_.size()]) continue;
         kept.measured.push_back(measured_[i]);
         kept.truth.push_back(truth_[i]);
+        if (!second_.empty()) kept.second.push_back(second_[i]);
     }
     return kept;
 }
 
 Figure flicker(const Tracks& tracks, double mean_edge_px) {
-    CHECK_EQ(tracks.measured.size(), tracks.point_count * tracks.frame_count);
-    CHECK_EQ(tracks.truth.size(), tracks.measured.size());
-    if (tracks.frame_count < 2) return Figure::missing("fewer than two frames");
-    if (tracks.point_count == 0) return Figure::missing("no surface point is seen in every frame");
-    if (mean_edge_px < kMinEdgePx) return Figure::missing("less than 32 px of true edge");
+    return excess(tracks, tracks.measured, mean_edge_px);
+}
 
-    std::vector<double> excess(tracks.point_count);
-    for (std::size_t i = tracks.point_count; i < tracks.measured.size(); ++i) {
-        const auto step = [&](const std::vector<float>& values) {
-            return std::abs(
-                static_cast<double>(values[i])
-                - static_cast<double>(values[i - tracks.point_count]));
-        };
-        excess[i % tracks.point_count] += step(tracks.measured) - step(tracks.truth);
-    }
-    double sum = 0.0;
-    for (const double value : excess)
-        sum += std::max(0.0, value);
-    return sum * tracks.pixels_per_point
-           / (static_cast<double>(tracks.frame_count - 1) * mean_edge_px);
+Figure truth_flicker(const Tracks& tracks, double mean_edge_px) {
+    if (tracks.second.empty() && tracks.point_count * tracks.frame_count > 0)
+        return Figure::missing("the truth was not sampled on a second grid");
+    return excess(tracks, tracks.second, mean_edge_px);
 }
 
 } // namespace measure

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,13 @@ TrackPoints choose_points(
     std::size_t count,
     std::uint64_t seed);
 
+/// The truth sampled once more, half a pixel to the right of the pixels' centres and below them: an
+/// equally fine picture of it that knows nothing of the first. One value per pixel in each.
+struct SecondGrid {
+    std::span<const float> visibility;
+    std::span<const float> depth; ///< view depth, metres; infinite where nothing is
+};
+
 /// Visibility of the points that were seen in every frame: frame after frame, point_count values
 /// each.
 struct Tracks {
@@ -43,6 +51,7 @@ struct Tracks {
     double pixels_per_point = 1.0;
     std::vector<float> measured;
     std::vector<float> truth;
+    std::vector<float> second = {}; ///< the truth on the second grid; empty when none was given
 };
 
 /// Reads both masks where the points appear, frame after frame, at the nearest pixel.
@@ -57,8 +66,13 @@ public:
     /// sequence, and both masks are read alike.
     /// @param truth_depth view depth of the true surface per pixel, metres; infinite where there is
     /// none
+    /// @param second read at its own nearest sample, where the point must be seen too; given for
+    /// every frame or for none
     void
-    add(const Comparison& frame, std::span<const float> truth_depth, const Projection& project);
+    add(const Comparison& frame,
+        std::span<const float> truth_depth,
+        const Projection& project,
+        const std::optional<SecondGrid>& second = {});
 
     [[nodiscard]] Tracks tracks() const;
 
@@ -67,6 +81,7 @@ private:
     std::vector<bool> seen_;
     std::vector<float> measured_; ///< all points, dropped ones too
     std::vector<float> truth_;
+    std::vector<float> second_;
     std::size_t frame_count_ = 0;
 };
 
@@ -75,5 +90,9 @@ private:
 /// 0.331 f with nearest sampling, 0.270 f bilinear, 0.171 f with 3x3 bilinear PCF; a map that stays
 /// on its texel grid gives 0.
 Figure flicker(const Tracks& tracks, double mean_edge_px);
+
+/// The same of the truth on the second grid: what any picture with one sample a pixel has to show,
+/// since its samples do not fall where the first grid's do.
+Figure truth_flicker(const Tracks& tracks, double mean_edge_px);
 
 } // namespace measure

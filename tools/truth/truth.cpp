@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace truth {
 namespace {
@@ -136,6 +137,50 @@ TruthImage true_visibility(
         }
     });
     return truth;
+}
+
+trace::VisibilityImage second_grid(
+    const trace::TraceScene& scene,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    const trace::VisibilityOptions& options) {
+    trace::VisibilityImage image(camera.width, camera.height);
+    trace::for_each_row(camera.height, options.threads, options.progress, [&](int y) {
+        for (int x = 0; x < camera.width; ++x) {
+            const std::size_t pixel = image.index(x, y);
+            image.set(
+                pixel,
+                trace::trace_pixel(scene, camera, light, {x + 1.0, y + 1.0}, options, pixel));
+        }
+    });
+    return image;
+}
+
+bool edge_near(
+    const trace::TraceScene& scene,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    const glm::dvec2& middle,
+    bool lit,
+    double radius_px,
+    double least_n_dot_l) {
+    constexpr int kPlaces = 256;
+    constexpr int kLightSamples = 16;
+    trace::VisibilityOptions options;
+    options.samples = kLightSamples;
+    const auto differs_at = [&](const glm::dvec2& place) {
+        const trace::TracedPixel there = trace::trace_pixel(scene, camera, light, place, options);
+        return there.hit && there.n_dot_l > least_n_dot_l && (there.visibility >= 0.5) != lit;
+    };
+    // A pixel's surroundings finely, then the whole disc. Places on a spiral of the golden angle
+    // cover a disc evenly. Source: Vogel, "A Better Way to Construct the Sunflower Head", 1979.
+    for (const double radius : {std::min(radius_px, 1.0), radius_px})
+        for (int i = 0; i < kPlaces; ++i) {
+            const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
+            const glm::dvec2 way(std::cos(angle), std::sin(angle));
+            if (differs_at(middle + way * (radius * std::sqrt((i + 0.5) / kPlaces)))) return true;
+        }
+    return false;
 }
 
 Shares shares(const TruthImage& truth) {

@@ -45,6 +45,28 @@ TruthImage true_visibility(
     const scene::PlacedLight& light,
     const TruthOptions& options = {});
 
+/// The truth half a pixel right of and below the pixels' centres: a second picture that is as true
+/// as the first.
+trace::VisibilityImage second_grid(
+    const trace::TraceScene& scene,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    const trace::VisibilityOptions& options);
+
+/// Whether the light reaches one place of a disc of the picture and not another: an edge that
+/// pixels need not show. Found when it is longer than a tenth of a pixel in the disc's middle, or
+/// of the disc. Only surfaces that face the light by more than `least_n_dot_l` count.
+/// @param lit what the middle is known to be
+/// @param radius_px of the disc
+bool edge_near(
+    const trace::TraceScene& scene,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    const glm::dvec2& middle,
+    bool lit,
+    double radius_px,
+    double least_n_dot_l);
+
 Shares shares(const TruthImage& truth);
 
 /// 1 where a rasteriser shows the same surface as the truth: the same entity, and a view depth that

@@ -205,15 +205,15 @@ TEST_F(CommandLine, ATechniqueThatCannotServeSaysSoAndExitsWithFour) {
 
 TEST_F(CommandLine, MeasureHoldsTracedAtZeroAndNoneFarFromIt) {
     const Outcome outcome = run_gl(fmt::format(
-        "measure {} --size 160x120 --technique traced,none --samples 16 --protocol both "
-        "--walk-frames 3 --out {}",
+        "measure {} --size 160x120 --technique traced,none --samples 16 --protocol still,walk,yaw "
+        "--moving-frames 3 --out {}",
         path("level.lua"),
         path("out")));
     SKIP_WITHOUT_GL();
 
     ASSERT_EQ(outcome.code, 0) << outcome.text;
     const auto rows = json("out/measure.json")["rows"];
-    ASSERT_EQ(rows.size(), 8U); // two lights, two techniques, still and walk
+    ASSERT_EQ(rows.size(), 12U); // two lights, two techniques, three protocols
     for (const auto& row : rows) {
         if (row["settings"] != "") continue; // the walk has figures of motion only
         const double error = row["mean_error"].get<double>();

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -129,6 +130,7 @@ TEST(Compare, SetsPlainResolutionErrorApartFromStructure) {
     EXPECT_EQ(figures.far_false_shadow_px.value(), 1.0);
     EXPECT_EQ(figures.far_largest_px.value(), 1.0);
     EXPECT_EQ(figures.far_light_leak_px.value(), 0.0);
+    EXPECT_NEAR(figures.band_share.value(), 6.0 / kSize, 1e-9);
 }
 
 TEST(Compare, TakesABandPerPixel) {
@@ -139,6 +141,85 @@ TEST(Compare, TakesABandPerPixel) {
     std::fill(input.resolution_band_px.begin(), input.resolution_band_px.begin() + 128, 3.0F);
 
     EXPECT_EQ(compare(input).far_false_shadow_px.value(), 2.0 * 8.0);
+}
+
+TEST(Compare, ForgivesAnErrorInsideTheBandAndNoneOutside) {
+    // Dark left of x = 64. Texels of 4 px and a shift of 0.4 px: 3.4 px are forgiven, and so are
+    // the columns whose centres lie 0.5, 1.5 and 2.5 px from the edge, on either side of it.
+    constexpr double kEdge = 64.0;
+    const Mask truth = pictures::draw(kSize, kSize, pictures::upright_edge(kEdge));
+    const auto with_error_at = [&](int x) {
+        Comparison input = comparison(truth, truth);
+        input.measured.at(x, 40) = lit(truth.at(x, 40)) ? 0.0F : 1.0F;
+        input.resolution_band_px = {resolution_band_px(4.0, 0.4)};
+        return compare(input);
+    };
+
+    EXPECT_EQ(with_error_at(66).far_false_shadow_px.value(), 0.0);
+    EXPECT_EQ(with_error_at(67).far_false_shadow_px.value(), 1.0);
+    EXPECT_EQ(with_error_at(67).far_light_leak_px.value(), 0.0);
+    EXPECT_EQ(with_error_at(61).far_light_leak_px.value(), 0.0);
+    EXPECT_EQ(with_error_at(60).far_light_leak_px.value(), 1.0);
+    EXPECT_EQ(with_error_at(60).far_false_shadow_px.value(), 0.0);
+    EXPECT_NEAR(with_error_at(60).band_share.value(), 6.0 / kSize, 1e-9);
+}
+
+TEST(Compare, GivesATechniqueWithoutTexelsABandOfOnePixel) {
+    Comparison input = comparison(
+        pictures::draw(kSize, kSize, pictures::upright_edge(66.0)),
+        pictures::draw(kSize, kSize, pictures::upright_edge(64.0)));
+
+    const Figures figures = compare(input);
+
+    EXPECT_EQ(figures.far_false_shadow_px.value(), kSize);
+    EXPECT_EQ(figures.far_false_shadow_px.value(), figures.interior.false_shadow_px);
+    EXPECT_NEAR(figures.band_share.value(), 2.0 / kSize, 1e-9);
+}
+
+TEST(Compare, DoesNotJudgeAPictureThatIsMostlyBand) {
+    Comparison input =
+        comparison(Mask(kSize, kSize), pictures::draw(kSize, kSize, pictures::upright_edge(64.0)));
+    input.resolution_band_px = {0.25F * kSize / 2.0F};
+    EXPECT_TRUE(compare(input).far_light_leak_px.known());
+
+    input.resolution_band_px = {0.25F * kSize / 2.0F + 1.0F};
+    const Figures figures = compare(input);
+
+    EXPECT_NEAR(figures.band_share.value(), 0.25 + 2.0 / kSize, 1e-9);
+    EXPECT_THAT(figures.far_light_leak_px.reason(), testing::HasSubstr("not judged"));
+    EXPECT_THAT(figures.far_largest_px.reason(), testing::HasSubstr("not judged"));
+}
+
+TEST(Compare, ForgivesWhereAnEdgeIsKnownThatPixelsDoNotShow) {
+    Comparison input = comparison(Mask(32, 32), Mask(32, 32));
+    input.measured.at(9, 9) = input.measured.at(20, 20) = 0.0F;
+    input.hidden_edge.assign(32 * 32, 0);
+    input.hidden_edge[input.truth.index(9, 9)] = 1;
+
+    const Figures figures = compare(input);
+
+    EXPECT_EQ(figures.far_false_shadow_px.value(), 1.0);
+    EXPECT_EQ(figures.interior.false_shadow_px, 2.0);
+}
+
+TEST(FarErrors, AreThePixelsThatTheFiguresCount) {
+    Comparison input =
+        comparison(Mask(kSize, kSize), pictures::draw(kSize, kSize, pictures::upright_edge(64.0)));
+    input.resolution_band_px = {3.0F};
+
+    const std::vector<std::uint8_t> far = far_errors(input);
+
+    EXPECT_EQ(
+        static_cast<double>(std::count(far.begin(), far.end(), 1)),
+        compare(input).far_light_leak_px.value());
+    EXPECT_EQ(far[input.truth.index(60, 5)], 1);
+    EXPECT_EQ(far[input.truth.index(61, 5)], 0);
+}
+
+TEST(ResolutionBand, IsThreeQuartersOfATexelAndTheShift) {
+    EXPECT_EQ(resolution_band_px(0.0, 0.0), 1.0F);
+    EXPECT_EQ(resolution_band_px(1.0, 0.1), 1.0F);
+    EXPECT_EQ(resolution_band_px(4.0, 0.5), 3.5F);
 }
 
 TEST(Compare, LeavesOutWhatIsNotValidAndReportsItsShare) {

@@ -75,6 +75,16 @@ TEST(Flicker, OfTheTruthItselfIsZero) {
     EXPECT_EQ(flicker(tracks, 100.0).value(), 0.0);
 }
 
+TEST(Flicker, OfTheTruthIsThatOfItsSecondGrid) {
+    // The second grid flips point 0 twice more than the first, and point 1 as often as it.
+    Tracks tracks = two_points({0, 1, 0, 1, 0, 1, 0, 1}, {0, 1, 0, 0, 0, 1, 0, 1});
+    EXPECT_THAT(truth_flicker(tracks, 100.0).reason(), testing::HasSubstr("second grid"));
+
+    tracks.second = {0, 1, 1, 1, 0, 0, 0, 0};
+
+    EXPECT_NEAR(truth_flicker(tracks, 100.0).value(), 2.0 / (3.0 * 100.0), 1e-12);
+}
+
 TEST(Flicker, SaysWhyItIsNotKnown) {
     EXPECT_THAT(flicker({}, 100.0).reason(), testing::HasSubstr("two frames"));
     EXPECT_THAT(flicker({0, 3, 1.0, {}, {}}, 100.0).reason(), testing::HasSubstr("every frame"));
@@ -218,6 +228,35 @@ TEST(MotionRecorder, FollowsARecedingFloorAndFindsNoFlickerInTheTruth) {
     EXPECT_EQ(figures.pop.value(), 0.0);
     EXPECT_GT(figures.tracked_points.value(), 1400.0);
     EXPECT_GT(figures.mean_edge_px.value(), 32.0);
+}
+
+TEST(MotionRecorder, HoldsAMaskThatIsTheSecondGridToBeAsStillAsTheTruth) {
+    // What a second grid sees at a pixel is what a mask with its edge half a pixel off would show.
+    MotionRecorder recorder(walk_points());
+    for (int k = 0; k < kWalkFrames; ++k) {
+        const Walk walk = {-k * kStep};
+        const auto sampled = [&](double right, double down) {
+            return pictures::draw(Walk::kWidth, Walk::kHeight, [&](pictures::Place p) {
+                const bool sky = p.y + down < 0.5 * Walk::kHeight;
+                return sky || walk.hit(p.x + right, p.y + down).x > 0.1 ? 1.0 : 0.0;
+            });
+        };
+        const Mask depth = pictures::draw(
+            Walk::kWidth, Walk::kHeight, [&](pictures::Place p) { return walk.depth(p.y + 0.5); });
+        Comparison frame = walk.frame(0.1);
+        frame.measured = sampled(0.5, 0.0);
+        recorder.add(
+            std::move(frame),
+            walk.depths(),
+            [&](const glm::dvec3& point) { return walk.project(point); },
+            SecondGrid{sampled(0.5, 0.5).visibility, depth.visibility});
+    }
+
+    const MotionFigures figures = recorder.figures();
+
+    EXPECT_GT(figures.tracked_points.value(), 1300.0);
+    EXPECT_GT(figures.truth_flicker_per_px.value(), 0.0);
+    EXPECT_NEAR(figures.flicker_ratio.value(), 1.0, 0.5);
 }
 
 TEST(MotionRecorder, CountsAShadowThatFlipsInEveryFrame) {

@@ -73,7 +73,8 @@ TEST(Report, WritesTheSameNumberOfFieldsInEveryLineOfCsv) {
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_THAT(
         lines[0],
-        testing::StartsWith("scene,camera,light,technique,settings,renderer,note,valid_px,"));
+        testing::StartsWith(
+            "scene,camera,light,technique,settings,renderer,note,picked,valid_px,"));
     const auto commas = [](const std::string& line) {
         return std::count(line.begin(), line.end(), ',');
     };
