@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/serving.hpp"
 #include "tools/gnomon/studio.hpp"
 #include "tools/gnomon/text_files.hpp"
 
@@ -62,7 +63,11 @@ compare(gnomon::Studio& studio, const Stage& stage, std::size_t light) {
     options.visibility.samples = kTruthSamples;
     const scene::PlacedLight& placed = studio.lights()[light];
     const truth::TruthImage truth = truth::true_visibility(tracer, stage.camera, placed, options);
-    return gnomon::make_comparison(*mask, truth, drawn, stage.camera, placed);
+    measure::Comparison comparison =
+        gnomon::make_comparison(*mask, truth, drawn, stage.camera, placed);
+    comparison.resolution_band_px =
+        gnomon::Serving(studio.shadows(), light).bands_px(drawn, truth, stage.camera);
+    return comparison;
 }
 
 } // namespace
