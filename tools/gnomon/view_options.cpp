@@ -121,14 +121,16 @@ engine::Result<ShadowOptions> options_from_word(
     if (colon < setting.size()) options.filter = setting.substr(colon + 1);
     const std::string numbers = setting.substr(1, colon - 1);
     const bool is_auto = options.technique == "auto";
-    const std::size_t cross = is_auto ? numbers.size() : std::min(numbers.find('x'), numbers.size());
+    const std::size_t cross =
+        is_auto ? numbers.size() : std::min(numbers.find('x'), numbers.size());
     const auto size = whole_number(std::string_view(numbers).substr(0, cross));
     if (cross < numbers.size())
         options.cascades = whole_number(std::string_view(numbers).substr(cross + 1)).value_or(0);
     char* end = nullptr;
     const float error_px = std::strtof(numbers.c_str(), &end);
-    const bool right = is_auto ? !numbers.empty() && *end == '\0' && error_px > 0.0F && error_px <= 1000.0F
-                               : size && *size >= 16 && *size <= 16384;
+    const bool right =
+        is_auto ? !numbers.empty() && *end == '\0' && error_px > 0.0F && error_px <= 1000.0F
+                : size && *size >= 16 && *size <= 16384;
     const int cascades = options.cascades.value_or(1);
     if (!right || cascades < 1 || cascades > shadows::kMaxCascades)
         return engine::Error{fmt::format(
