@@ -33,13 +33,14 @@ void report(benchmark::State& state, const ShadowVolume& volume) {
 
 /// The light goes round. @param w 1 a lamp, 0 a sun
 void moving_light(benchmark::State& state, double w, bool surrounded) {
+    const CasterSurface& surface = hero_surface();
     VolumeBuilder builder;
     ShadowVolume volume;
     double angle = 0.0;
     for ([[maybe_unused]] auto iteration : state) {
         angle += 0.01;
         const glm::dvec4 light(3.0 * std::cos(angle), 4.0, 3.0 * std::sin(angle), w);
-        builder.build(hero_surface(), hero().positions, light, surrounded, volume);
+        builder.build(surface, hero().positions, light, surrounded, volume);
         benchmark::DoNotOptimize(volume.indices.data());
     }
     report(state, volume);
@@ -62,12 +63,12 @@ void pose_changes(benchmark::State& state) {
     for (std::size_t i = 0; i < poses.size(); ++i)
         for (glm::vec3& p : poses[i])
             p.x += 0.2F * std::sin(3.0F * p.z + static_cast<float>(i));
+    const CasterSurface& surface = hero_surface();
     VolumeBuilder builder;
     ShadowVolume volume;
     std::size_t frame = 0;
     for ([[maybe_unused]] auto iteration : state) {
-        builder.build(
-            hero_surface(), poses[frame++ % poses.size()], {1.0, 4.0, 0.5, 1.0}, false, volume);
+        builder.build(surface, poses[frame++ % poses.size()], {1.0, 4.0, 0.5, 1.0}, false, volume);
         benchmark::DoNotOptimize(volume.indices.data());
     }
     report(state, volume);
