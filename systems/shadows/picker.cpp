@@ -49,11 +49,11 @@ budget_of(const scene::ShadowWish& wish, const Pair& pair, const FramePlan::Ligh
     return hero ? kHeroBudgetPx : kDefaultBudgetPx;
 }
 
-/// The technique's own say (domain) and the designer's (never, pins); no value when it may be
-/// taken.
-std::optional<std::string> forbidden(const TechniqueTraits& traits, const scene::ShadowWish& wish) {
+/// The designer's say (never, pins); no value when it may be taken.
+std::optional<std::string_view>
+forbidden(const TechniqueTraits& traits, const scene::ShadowWish& wish) {
     const std::string_view pinned = wish.technique ? std::string_view(*wish.technique) : "auto";
-    if (pinned != "auto" && pinned != traits.name) return fmt::format("pinned to '{}'", pinned);
+    if (pinned != "auto" && pinned != traits.name) return "not pinned";
     if (pinned == "auto" && !traits.picked_by_auto) return "only for comparison";
     if (wish.never
         && std::find(wish.never->begin(), wish.never->end(), traits.name) != wish.never->end())
@@ -102,17 +102,17 @@ Plan pick_pair(
     plan.receiver = view.receiver.id;
     plan.budget_px = view.budget_px;
     std::vector<Option> options;
+    plan.rejected.reserve(techniques.size());
     for (const auto& technique : techniques) {
         const TechniqueTraits& traits = technique->traits();
-        const std::string name(traits.name);
         if (const auto reason = forbidden(traits, wish)) {
-            plan.rejected.push_back({name, *reason, std::nullopt});
+            plan.rejected.push_back({traits.name, std::string(*reason), std::nullopt});
             continue;
         }
         const auto predicted = predict_all(*technique, view, pair, light);
         if (!predicted)
             plan.rejected.push_back(
-                {name, "outside its domain: " + predicted.error().message, std::nullopt});
+                {traits.name, "outside its domain: " + predicted.error().message, std::nullopt});
         else
             options.push_back(
                 {technique.get(), *predicted, milliseconds(predicted->cost, profile)});
@@ -123,12 +123,11 @@ Plan pick_pair(
         return plan;
     }
     plan.reason = why(*chosen, wish, plan.budget_px);
-    plan.entries.push_back(
-        {std::string(chosen->technique->traits().name), pair.groups, chosen->predicted});
+    plan.entries.push_back({chosen->technique->traits().name, pair.groups, chosen->predicted});
     for (const Option& option : options)
         if (&option != chosen)
             plan.rejected.push_back(
-                {std::string(option.technique->traits().name),
+                {option.technique->traits().name,
                  why_not(option, *chosen, plan.budget_px),
                  option.predicted});
     return plan;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shadows {
@@ -36,15 +37,15 @@ struct Prediction {
 
 /// One technique at work for some of the casters of a pair.
 struct PlanEntry {
-    std::string technique;
+    std::string_view technique;               ///< its name, as all techniques keep it
     std::vector<std::uint32_t> caster_groups; ///< indices into the light's groups
     Prediction predicted;
 };
 
 /// A technique that was not taken.
 struct Rejection {
-    std::string technique;
-    std::string reason; ///< one clause: "outside its domain: ...", "dearer", "pinned to 'traced'"
+    std::string_view technique; ///< its name, as all techniques keep it
+    std::string reason;         ///< one clause: "outside its domain: ...", "dearer", "not pinned"
     std::optional<Prediction> predicted; ///< none when it is outside its domain
 };
 

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -48,8 +49,8 @@ struct ReceiverView {
     bool two_sided = false; ///< some of its mesh can be seen from behind
 };
 
-/// One frame as shadows see it. Vectors are sorted by name (then id), so that no decision depends
-/// on the order in which entities were made.
+/// One frame as shadows see it. Vectors are in the order of their meshes' names (then of
+/// ids), so that no decision depends on the order in which entities were made.
 struct ShadowScene {
     scene::CameraView camera;
     std::vector<LightView> lights; ///< those that are on
@@ -60,9 +61,20 @@ struct ShadowScene {
     engine::WorldAabb receiver_bounds; ///< round all receivers
     double nearest_m = 0.0;            ///< from the camera to the nearest receiver's bounds
     double farthest_m = 0.0;           ///< from the camera to the farthest corner of any
+    std::vector<std::uint32_t> place_of_receiver; ///< by id: an index into receivers
+
+    /// @pre `id` is that of one of the lights
+    [[nodiscard]] const LightView& light(std::uint32_t id) const {
+        return *std::find_if(
+            lights.begin(), lights.end(), [&](const LightView& view) { return view.id == id; });
+    }
+    /// @pre measure_receivers() was called and `id` is a receiver's
+    [[nodiscard]] const ReceiverView& receiver(std::uint32_t id) const {
+        return receivers[place_of_receiver[id]];
+    }
 };
 
-/// Fills what sums up the receivers, once they and the camera are there.
+/// Fills what sums up and finds the receivers, once they and the camera are there.
 void measure_receivers(ShadowScene& scene);
 
 } // namespace shadows

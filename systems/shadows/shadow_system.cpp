@@ -46,9 +46,12 @@ std::string fingerprint(
         wish.cascades.value_or(0),
         wish.error_px.value_or(0.0F));
     for (const Plan* plan : plans) {
-        text += fmt::format(" {}:", plan->receiver);
-        for (const PlanEntry& entry : plan->entries)
-            text += fmt::format("{}{}", entry.technique, fmt::join(entry.caster_groups, ","));
+        fmt::format_to(std::back_inserter(text), " {}:", plan->receiver);
+        for (const PlanEntry& entry : plan->entries) {
+            text += entry.technique;
+            for (const std::uint32_t group : entry.caster_groups)
+                fmt::format_to(std::back_inserter(text), "{},", group);
+        }
     }
     return text;
 }
@@ -167,7 +170,7 @@ void ShadowSystem::apply(
         if (running.light == light) running.job->apply(frame, scene_.camera, target);
 }
 
-const ShadowJob* ShadowSystem::job(std::uint32_t light, const std::string& technique) const {
+const ShadowJob* ShadowSystem::job(std::uint32_t light, std::string_view technique) const {
     const auto found = jobs_.find(JobKey{light, technique});
     return found == jobs_.end() ? nullptr : found->second.job.get();
 }
@@ -180,11 +183,7 @@ std::vector<std::string> ShadowSystem::unserved() const {
         for (const Rejection& rejection : plan.rejected)
             reasons += fmt::format(
                 "{}{}: {}", reasons.empty() ? "" : "; ", rejection.technique, rejection.reason);
-        const auto light =
-            std::find_if(scene_.lights.begin(), scene_.lights.end(), [&](const LightView& view) {
-                return view.id == plan.light;
-            });
-        sentences.push_back(fmt::format("light '{}': {}", light->name, reasons));
+        sentences.push_back(fmt::format("light '{}': {}", scene_.light(plan.light).name, reasons));
     }
     std::sort(sentences.begin(), sentences.end());
     sentences.erase(std::unique(sentences.begin(), sentences.end()), sentences.end());

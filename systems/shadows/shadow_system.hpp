@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const Techniques& techniques() const { return techniques_; }
     /// What draws the masks of the plans that name a technique for a light. Null when nothing has
     /// to be drawn. @param light its id
-    [[nodiscard]] const ShadowJob* job(std::uint32_t light, const std::string& technique) const;
+    [[nodiscard]] const ShadowJob* job(std::uint32_t light, std::string_view technique) const;
     /// Pairs that got no technique although something can darken them, as sentences.
     [[nodiscard]] std::vector<std::string> unserved() const;
     /// Jobs redrawn in the last frame.
@@ -54,7 +54,7 @@ public:
 
 private:
     /// A light's id and the technique at work for it.
-    using JobKey = std::pair<std::uint32_t, std::string>;
+    using JobKey = std::pair<std::uint32_t, std::string_view>;
 
     /// A job with what it was last drawn for.
     struct RunningJob {

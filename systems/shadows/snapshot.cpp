@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace shadows {
 
@@ -91,20 +91,22 @@ void add_receivers(
     }
 }
 
-/// Sorts an order and moves each view once: views are large.
-template <class View>
-void sort_by_name(std::vector<View>& views) {
-    std::vector<std::size_t> order(views.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        const int names = views[i].name.compare(views[j].name);
-        return names != 0 ? names < 0 : views[i].id < views[j].id;
+/// Meshes by name, then in the order of the table.
+std::vector<const scene::ReceiverRange*>
+by_name(const scene::World& world, const scene::ReceiverTable& receivers) {
+    std::vector<std::pair<std::string, const scene::ReceiverRange*>> named;
+    named.reserve(receivers.ranges().size());
+    for (const scene::ReceiverRange& range : receivers.ranges())
+        named.emplace_back(name_of(world, range.entity), &range);
+    std::sort(named.begin(), named.end(), [](const auto& a, const auto& b) {
+        const int names = a.first.compare(b.first);
+        return names != 0 ? names < 0 : a.second->first < b.second->first;
     });
-    std::vector<View> sorted;
-    sorted.reserve(views.size());
-    for (const std::size_t i : order)
-        sorted.push_back(std::move(views[i]));
-    views = std::move(sorted);
+    std::vector<const scene::ReceiverRange*> sorted;
+    sorted.reserve(named.size());
+    for (const auto& [name, range] : named)
+        sorted.push_back(range);
+    return sorted;
 }
 
 } // namespace
@@ -117,16 +119,14 @@ ShadowScene take_snapshot(
     ShadowScene scene;
     scene.camera = camera;
     scene.lights.assign(lights.begin(), lights.end());
-    for (const scene::ReceiverRange& range : receivers.ranges()) {
+    for (const scene::ReceiverRange* range : by_name(world, receivers)) {
         const glm::dmat4& placed =
-            world.registry.get<scene::WorldTransform>(range.entity).world_from_local;
-        const auto& role = world.registry.get<scene::ShadowRole>(range.entity);
-        if (role.casts) scene.casters.push_back(make_caster(world, range.entity, placed));
-        if (role.receives) add_receivers(scene, world, range, placed);
+            world.registry.get<scene::WorldTransform>(range->entity).world_from_local;
+        const auto& role = world.registry.get<scene::ShadowRole>(range->entity);
+        if (role.casts) scene.casters.push_back(make_caster(world, range->entity, placed));
+        if (role.receives) add_receivers(scene, world, *range, placed);
         scene.everything_receives = scene.everything_receives && role.receives;
     }
-    sort_by_name(scene.casters);
-    sort_by_name(scene.receivers);
     measure_receivers(scene);
     return scene;
 }
@@ -136,7 +136,12 @@ void measure_receivers(ShadowScene& scene) {
     scene.receiver_bounds = {};
     scene.nearest_m = scene.receivers.empty() ? 0.0 : std::numeric_limits<double>::infinity();
     scene.farthest_m = 0.0;
-    for (const ReceiverView& receiver : scene.receivers) {
+    scene.place_of_receiver.clear();
+    for (std::uint32_t place = 0; place < scene.receivers.size(); ++place) {
+        const ReceiverView& receiver = scene.receivers[place];
+        if (receiver.id >= scene.place_of_receiver.size())
+            scene.place_of_receiver.resize(receiver.id + 1);
+        scene.place_of_receiver[receiver.id] = place;
         const engine::WorldAabb& bounds = receiver.bounds;
         scene.receiver_bounds.grow(bounds);
         const glm::dvec3 nearest = glm::clamp(eye, bounds.min, bounds.max);

@@ -55,7 +55,7 @@ void print_meshes(const scene::Assets& assets) {
 
 /// How many pairs each technique would serve.
 void print_plans(const Level& level, const shadows::FramePlan& plan) {
-    std::map<std::string, std::size_t> counts;
+    std::map<std::string_view, std::size_t> counts;
     for (const shadows::Plan& pair : plan.plans)
         for (const shadows::PlanEntry& entry : pair.entries)
             ++counts[entry.technique];

@@ -40,18 +40,10 @@ struct Explained {
     shadows::FramePlan plan;
 
     [[nodiscard]] std::string light_of(const shadows::Plan& pair) const {
-        return std::find_if(
-                   scene.lights.begin(),
-                   scene.lights.end(),
-                   [&](const auto& light) { return light.id == pair.light; })
-            ->name;
+        return scene.light(pair.light).name;
     }
     [[nodiscard]] std::string receiver_of(const shadows::Plan& pair) const {
-        return std::find_if(
-                   scene.receivers.begin(),
-                   scene.receivers.end(),
-                   [&](const auto& receiver) { return receiver.id == pair.receiver; })
-            ->name;
+        return scene.receiver(pair.receiver).name;
     }
     [[nodiscard]] std::string pair_of(const shadows::Plan& pair) const {
         return light_of(pair) + "," + receiver_of(pair);
@@ -80,7 +72,7 @@ double cost_ms(const shadows::Prediction& predicted) {
 std::string entry_text(const shadows::Plan& pair) {
     std::vector<std::string> names;
     for (const shadows::PlanEntry& entry : pair.entries)
-        names.push_back(entry.technique);
+        names.emplace_back(entry.technique);
     return names.empty() ? "(nothing)" : fmt::format("{}", fmt::join(names, " + "));
 }
 

@@ -13,7 +13,8 @@ Serving::Serving(const shadows::ShadowSystem& shadows, std::size_t light) {
         if (plan.light != id) continue;
         Server& server = by_receiver_[plan.receiver];
         for (const shadows::PlanEntry& entry : plan.entries) {
-            server.techniques += (server.techniques.empty() ? "" : "+") + entry.technique;
+            if (!server.techniques.empty()) server.techniques += "+";
+            server.techniques += entry.technique;
             if (const shadows::ShadowJob* job = shadows.job(id, entry.technique))
                 server.jobs.push_back(job);
         }

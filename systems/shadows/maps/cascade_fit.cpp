@@ -171,10 +171,9 @@ DepthRange steady_range(const DepthRange& wanted, const std::optional<DepthRange
                && range.near * kWaste * kStep >= wanted.near && range.far <= wanted.far * kWaste;
     };
     if (before && fits(*before)) return *before;
-    const auto step = [&](double depth) { return std::log(depth) / std::log(kStep); };
     return {
-        std::pow(kStep, std::floor(step(wanted.near))),
-        std::pow(kStep, std::ceil(step(wanted.far)))};
+        std::exp2(std::floor(std::log2(wanted.near) * 2.0) / 2.0),
+        std::exp2(std::ceil(std::log2(wanted.far) * 2.0) / 2.0)};
 }
 
 int cascade_count(const DepthRange& range) {
@@ -191,10 +190,10 @@ std::vector<double> split_depths(const DepthRange& range, int count) {
 }
 
 double slice_end(const DepthRange& range, int count, double depth) {
-    const double ratio = range.far / range.near;
-    const double passed = count * std::log(depth / range.near) / std::log(ratio);
+    const double octaves = std::log2(range.far / range.near);
+    const double passed = count * std::log2(depth / range.near) / octaves;
     const double index = std::clamp(std::ceil(passed), 1.0, static_cast<double>(count));
-    return range.near * std::pow(ratio, index / count);
+    return range.near * std::exp2(octaves * index / count);
 }
 
 glm::dmat3 light_axes(

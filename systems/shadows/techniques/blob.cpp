@@ -141,10 +141,8 @@ private:
     /// One blob per caster of the plans, with bounds that cover every receiver it is drawn for.
     void place_blobs(const ShadowRequest& request) {
         const ShadowScene& scene = request.scene;
-        std::unordered_map<std::uint32_t, const ReceiverView*> receiver_of;
         std::unordered_map<std::uint32_t, IdRange> ids_of;
         for (const ReceiverView& receiver : scene.receivers) {
-            receiver_of[receiver.id] = &receiver;
             IdRange& ids = ids_of[receiver.entity];
             ids = {std::min(ids.first, receiver.id), std::max(ids.end, receiver.id + 1)};
         }
@@ -152,7 +150,7 @@ private:
         for (const Plan* plan : request.plans)
             for (const PlanEntry& entry : plan->entries)
                 if (entry.technique == "blob")
-                    grow_bounds(request, *receiver_of.at(plan->receiver), entry, bounds_of);
+                    grow_bounds(request, scene.receiver(plan->receiver), entry, bounds_of);
         blobs_.clear();
         for (const auto& [index, bounds] : bounds_of) {
             const CasterView& caster = scene.casters[index];

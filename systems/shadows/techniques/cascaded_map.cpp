@@ -34,9 +34,8 @@ Layout layout_of(
 
 /// Texel of a single-texel map at the pair's receiver, metres across the light: that of the cascade
 /// in which most of the receiver lies.
-double texel_of_one(const PairView& pair) {
+double texel_of_one(const PairView& pair, const Layout& layout) {
     const scene::CameraView& camera = pair.scene.camera;
-    const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
     const double distance = typical_distance(camera, pair.receiver.bounds);
     // The sphere round a slice is about as wide as its far end.
     const double far = slice_end(layout.range, layout.count, distance);
@@ -97,7 +96,8 @@ protected:
         return shadows::reaches(views_[static_cast<std::size_t>(layer)], caster);
     }
     [[nodiscard]] int size_for(const PairView& pair, const CasterGroup& casters) const override {
-        return map_size_for(pair, casters, filter(), texel_of_one(pair));
+        const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
+        return map_size_for(pair, casters, filter(), texel_of_one(pair, layout));
     }
     [[nodiscard]] gpu::Defines mask_defines() const override {
         gpu::Defines defines = {"PARALLEL", fmt::format("MAP_LAYERS={}", layers())};
@@ -164,7 +164,7 @@ public:
         const auto filter = map_filter(pair.wish);
         if (!filter) return filter.error();
         const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
-        return predict_map(pair, casters, *filter, texel_of_one(pair), layout.count);
+        return predict_map(pair, casters, *filter, texel_of_one(pair, layout), layout.count);
     }
 
     [[nodiscard]] std::unique_ptr<ShadowJob> start() const override {

@@ -38,12 +38,6 @@ std::string filter_define(MapFilter filter) {
     return "FILTER_PCF";
 }
 
-const ReceiverView* find_receiver(const ShadowScene& scene, std::uint32_t id) {
-    for (const ReceiverView& receiver : scene.receivers)
-        if (receiver.id == id) return &receiver;
-    return nullptr;
-}
-
 } // namespace
 
 std::vector<std::uint32_t> groups_of(const ShadowRequest& request, std::string_view technique) {
@@ -75,9 +69,10 @@ engine::Result<void> MapJob::update(const ShadowRequest& request) {
     served_ = {};
     int size = kSmallestMap;
     for (const Plan* plan : request.plans) {
-        const ReceiverView* receiver = find_receiver(request.scene, plan->receiver);
-        served_.grow(receiver->bounds);
-        const PairView pair{request.scene, light_, *receiver, request.wish, plan->budget_px};
+        const ReceiverView& receiver = request.scene.receiver(plan->receiver);
+        served_.grow(receiver.bounds);
+        if (request.wish.map_size) continue;
+        const PairView pair{request.scene, light_, receiver, request.wish, plan->budget_px};
         for (const PlanEntry& entry : plan->entries)
             if (entry.technique == technique_)
                 for (const std::uint32_t group : entry.caster_groups)

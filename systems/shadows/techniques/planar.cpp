@@ -110,17 +110,13 @@ public:
 
 private:
     void serve(const ShadowRequest& request, const Plan& plan) {
-        const auto& receivers = request.scene.receivers;
-        const auto receiver =
-            std::find_if(receivers.begin(), receivers.end(), [&](const ReceiverView& view) {
-                return view.id == plan.receiver;
-            });
+        const ReceiverView& receiver = request.scene.receiver(plan.receiver);
         for (const PlanEntry& entry : plan.entries) {
             if (entry.technique != "planar") continue;
             auto casters = planar_casters(
                 request.scene,
                 light_,
-                *receiver,
+                receiver,
                 request.groups,
                 entry.caster_groups,
                 origin_,

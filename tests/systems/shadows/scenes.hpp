@@ -69,6 +69,7 @@ inline ShadowScene box_over_floor() {
     ReceiverView floor = receiver_at("floor", 1, {0.0, -0.5, 0.0}, 0.5);
     floor.bounds = {{-10.0, -0.1, -10.0}, {10.0, 0.0, 10.0}};
     scene.receivers = {floor};
+    measure_receivers(scene);
     return scene;
 }
 
