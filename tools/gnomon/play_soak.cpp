@@ -3,6 +3,7 @@
 #include "engine/scene/components.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ constexpr double kBytesPerMib = 1 << 20;
 
 /// What must not grow.
 struct Holdings {
+    std::int64_t heap_bytes = 0; ///< allocated and not freed
     std::int64_t resident_bytes = 0;
     std::int64_t device_bytes = 0;
     std::int64_t objects = 0; ///< of OpenGL
@@ -32,8 +34,10 @@ struct Holdings {
 
     [[nodiscard]] std::string text() const {
         return fmt::format(
-            "{:.1f} MiB resident, {:.1f} MiB on the device, {} OpenGL objects, {} open files, {} "
-            "entities",
+            "{:.1f} MiB of heap, {:.1f} MiB resident, {:.1f} MiB on the device, {} OpenGL objects, "
+            "{} "
+            "open files, {} entities",
+            static_cast<double>(heap_bytes) / kBytesPerMib,
             static_cast<double>(resident_bytes) / kBytesPerMib,
             static_cast<double>(device_bytes) / kBytesPerMib,
             objects,
@@ -41,6 +45,24 @@ struct Holdings {
             entities);
     }
 };
+
+#ifdef __SANITIZE_ADDRESS__
+/// Source: sanitizer/allocator_interface.h, which GCC 12 does not bring.
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+
+std::int64_t heap_bytes() {
+    return static_cast<std::int64_t>(__sanitizer_get_current_allocated_bytes());
+}
+// Freed memory stays resident in quarantine, hundreds of MiB of it.
+constexpr bool kResidentTells = false;
+#else
+/// Source: mallinfo(3), arenas and mappings.
+std::int64_t heap_bytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<std::int64_t>(info.uordblks + info.hblkhd);
+}
+constexpr bool kResidentTells = true;
+#endif
 
 /// Pages of this process that are in memory. Source: proc(5), /proc/[pid]/statm.
 std::int64_t resident_bytes() {
@@ -59,6 +81,7 @@ std::int64_t open_files() {
 
 Holdings holdings(const Level& level) {
     return {
+        heap_bytes(),
         resident_bytes(),
         static_cast<std::int64_t>(gpu::device_bytes()),
         gpu::count_objects(),
@@ -69,6 +92,7 @@ Holdings holdings(const Level& level) {
 /// The more of each.
 Holdings most(const Holdings& a, const Holdings& b) {
     return {
+        std::max(a.heap_bytes, b.heap_bytes),
         std::max(a.resident_bytes, b.resident_bytes),
         std::max(a.device_bytes, b.device_bytes),
         std::max(a.objects, b.objects),
@@ -77,7 +101,8 @@ Holdings most(const Holdings& a, const Holdings& b) {
 }
 
 bool more(const Holdings& late, const Holdings& early) {
-    return late.resident_bytes - early.resident_bytes > kMemoryBound
+    return late.heap_bytes - early.heap_bytes > kMemoryBound
+           || (kResidentTells && late.resident_bytes - early.resident_bytes > kMemoryBound)
            || late.device_bytes - early.device_bytes > kMemoryBound
            || late.objects - early.objects > kObjectBound || late.files > early.files
            || late.entities > early.entities;
