@@ -168,9 +168,18 @@ bool edge_near(
     constexpr int kLightSamples = 16;
     trace::VisibilityOptions options;
     options.samples = kLightSamples;
+    const auto differs = [&](double visibility) { return (visibility >= 0.5) != lit; };
+    const auto plane = trace::trace_pixel(scene, camera, light, middle, options).hit;
     const auto differs_at = [&](const glm::dvec2& place) {
         const trace::TracedPixel there = trace::trace_pixel(scene, camera, light, place, options);
-        return there.hit && there.n_dot_l > least_n_dot_l && (there.visibility >= 0.5) != lit;
+        if (there.hit && there.n_dot_l > least_n_dot_l && differs(there.visibility)) return true;
+        const glm::dvec3 ray = camera.ray_direction(place.x, place.y);
+        if (!plane || glm::dot(ray, plane->normal) >= 0.0) return false;
+        trace::Surface beside = *plane;
+        const double depth = glm::dot(plane->position - camera.position, plane->normal)
+                             / glm::dot(ray, plane->normal);
+        beside.position = camera.position + ray * depth;
+        return differs(trace::visibility(scene, light, beside, options));
     };
     // A pixel's surroundings finely, then the whole disc. Places on a spiral of the golden angle
     // cover a disc evenly. Source: Vogel, "A Better Way to Construct the Sunflower Head", 1979.

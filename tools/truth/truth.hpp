@@ -54,8 +54,10 @@ trace::VisibilityImage second_grid(
     const trace::VisibilityOptions& options);
 
 /// Whether the light reaches one place of a disc of the picture and not another: an edge that
-/// pixels need not show. Found when it is longer than a tenth of a pixel in the disc's middle, or
-/// of the disc. Only surfaces that face the light by more than `least_n_dot_l` count.
+/// pixels need not show. Places are those that are seen, and those of the plane that is seen in the
+/// middle, also where something hides it or it ends: a shadow's edge beyond a ridge is as near as
+/// one before it. Found when it is longer than a tenth of a pixel in the disc's middle, or of the
+/// disc. Only seen surfaces that face the light by more than `least_n_dot_l` count.
 /// @param lit what the middle is known to be
 /// @param radius_px of the disc
 bool edge_near(
