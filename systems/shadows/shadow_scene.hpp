@@ -47,6 +47,7 @@ struct ReceiverView {
     double offset = 0.0;    ///< of a flat receiver: dot(normal, p) for its points
     double residual = 0.0;  ///< of a flat receiver: how far it leaves its plane, metres
     bool two_sided = false; ///< some of its mesh can be seen from behind
+    bool casts = true;      ///< its mesh blocks light, too
 };
 
 /// One frame as shadows see it. Vectors are in the order of their meshes' names (then of
@@ -58,6 +59,7 @@ struct ShadowScene {
     std::vector<ReceiverView> receivers;
     bool wraps_stencil = true;         ///< the driver counts as stencil volumes need it
     bool everything_receives = true;   ///< no mesh was told not to
+    bool everything_casts = true;      ///< no receiver was told not to
     engine::WorldAabb receiver_bounds; ///< round all receivers
     double nearest_m = 0.0;            ///< from the camera to the nearest receiver's bounds
     double farthest_m = 0.0;           ///< from the camera to the farthest corner of any

@@ -71,6 +71,7 @@ void add_receivers(
     const scene::Mesh& mesh =
         world.assets.meshes[world.registry.get<scene::MeshInstance>(range.entity).mesh];
     const std::string name = name_of(world, range.entity);
+    const bool casts = world.registry.get<scene::ShadowRole>(range.entity).casts;
     const bool seen_from_behind = two_sided(world.assets, mesh);
     for (std::uint32_t part = 0; part < range.count; ++part) {
         if (part == 0 && range.count > 1 && !mesh.has_rest) continue;
@@ -78,6 +79,7 @@ void add_receivers(
         receiver.id = range.first + part;
         receiver.entity = range.entity.value;
         receiver.two_sided = seen_from_behind;
+        receiver.casts = casts;
         receiver.name = part == 0 ? name : fmt::format("{}#{}", name, part);
         if (part == 0) {
             receiver.bounds = scene::world_bounds(world, range.entity);
@@ -126,6 +128,7 @@ ShadowScene take_snapshot(
         if (role.casts) scene.casters.push_back(make_caster(world, range->entity, placed));
         if (role.receives) add_receivers(scene, world, *range, placed);
         scene.everything_receives = scene.everything_receives && role.receives;
+        scene.everything_casts = scene.everything_casts && (role.casts || !role.receives);
     }
     measure_receivers(scene);
     return scene;

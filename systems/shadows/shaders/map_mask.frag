@@ -30,16 +30,6 @@ flat in MapInputs map;
 
 layout(location = 0) out float visibility;
 
-// @param to_light from the receiver, any length
-Receiver receiver_at(vec3 point, vec3 shaded, vec3 to_light, uint id) {
-    vec3 across = cross(dFdxFine(point), dFdyFine(point));
-    float cosine = dot(across, shaded) * inversesqrt(max(dot(across, across) * dot(shaded, shaded), 1e-30));
-    across *= sign(cosine);
-    float change = abs(dFdxFine(float(id))) + abs(dFdyFine(float(id)));
-    bool inside = abs(cosine) > 0.8 && change == 0.0 && dot(across, to_light) > 0.0;
-    return Receiver(point, inside ? across : shaded, shaded, inside ? ROUNDING_TEXELS : SILHOUETTE_TEXELS);
-}
-
 #ifdef PARALLEL
 // Texels between a place and the nearest border that filters may not pass; negative outside.
 float depth_inside(MapInputs map, vec2 texel) {

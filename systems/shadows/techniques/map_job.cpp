@@ -3,6 +3,7 @@
 #include "engine/gpu/pass.hpp"
 #include "engine/render/light_visibility.hpp"
 #include "systems/shadows/maps/map_view.hpp"
+#include "systems/shadows/techniques/depth_draws.hpp"
 #include "systems/shadows/techniques/rectangles.hpp"
 
 #include <fmt/format.h>
@@ -15,16 +16,6 @@
 namespace shadows {
 
 namespace {
-
-gpu::RenderState state_of(const render::DrawBucket& bucket, bool pancaking) {
-    gpu::RenderState state;
-    state.cull = bucket.double_sided ? gpu::Cull::none : gpu::Cull::back;
-    state.front_face =
-        bucket.mirrored ? gpu::FrontFace::clockwise : gpu::FrontFace::counter_clockwise;
-    // Casters before the near plane keep their shadow, at depth 1.
-    state.depth_clamp = pancaking;
-    return state;
-}
 
 std::string filter_define(MapFilter filter) {
     switch (filter) {
@@ -154,19 +145,14 @@ engine::Result<void> MapJob::render_layer(
         frame, fmt::format("{}/{}/render", light_.name, technique_), into.target, {.depth = 0.0F});
     frame.counters().map_texels +=
         static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(size_);
-    for (const render::DrawList::Run& run : list.runs) {
-        gpu::Defines defines;
-        if (run.bucket.alpha_masked) defines.emplace_back("ALPHA_MASKED");
-        const auto program =
-            shaders.graphics("shadows/map_depth.vert", "shadows/map_depth.frag", defines);
-        if (!program) return program.error();
-        (*program)->set("map_clip_from_relative", clip_from_relative);
-        frame.state(state_of(run.bucket, remedies_.on(Remedy::map_pancaking)));
-        if (run.bucket.alpha_masked)
-            geometry.textures.get(run.bucket.texture).bind(UNIT_BASE_COLOR);
-        into.draws->draw(frame, **program, run);
-    }
-    return {};
+    return draw_depth(
+        frame,
+        shaders,
+        geometry.textures,
+        *into.draws,
+        list,
+        clip_from_relative,
+        {.pancaking = remedies_.on(Remedy::map_pancaking)});
 }
 
 void MapJob::apply(

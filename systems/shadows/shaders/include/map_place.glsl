@@ -33,6 +33,16 @@ const float SILHOUETTE_TEXELS = 2.0;
 // tangent. What is lost: casters lower than two texels begin their shadows up to a texel late.
 const float CREASE_TANGENT = 2.0;
 
+// @param to_light from the receiver, any length
+Receiver receiver_at(vec3 point, vec3 shaded, vec3 to_light, uint id) {
+    vec3 across = cross(dFdxFine(point), dFdyFine(point));
+    float cosine = dot(across, shaded) * inversesqrt(max(dot(across, across) * dot(shaded, shaded), 1e-30));
+    across *= sign(cosine);
+    float change = abs(dFdxFine(float(id))) + abs(dFdyFine(float(id)));
+    bool inside = abs(cosine) > 0.8 && change == 0.0 && dot(across, to_light) > 0.0;
+    return Receiver(point, inside ? across : shaded, shaded, inside ? ROUNDING_TEXELS : SILHOUETTE_TEXELS);
+}
+
 float slack_of(Receiver receiver, float depth_per_texel, vec2 slope, vec2 shaded_slope) {
     vec2 unknown = abs(slope - shaded_slope);
     return receiver.unknown_texels * (depth_per_texel + abs(slope.x) + abs(slope.y))

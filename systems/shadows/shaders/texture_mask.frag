@@ -1,0 +1,89 @@
+#version 450 core
+// Dark behind the casters of one texture, for the receivers of its plans.
+//
+// PARALLEL or SPOT, with MAP_LAYERS 1. An edge is where half is covered, so it stays a line however near the camera
+// comes. Source: C. Green, "Improved Alpha-Tested Magnification for Vector Textures and Special Effects", 2007.
+
+#include "render/shared/bindings.h"
+#include "render/include/gbuffer.glsl"
+#define FILTER_REACH 1.0
+#include "shadows/include/map_inputs.glsl"
+#include "shadows/include/map_place.glsl"
+#include "shadows/include/receivers.glsl"
+
+layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
+layout(binding = UNIT_DEPTH) uniform sampler2D depth_buffer;
+layout(binding = UNIT_VISIBILITY) uniform sampler2D texels; // as texture_reduce.frag writes them
+
+noperspective in vec3 ray;
+flat in MapInputs map;
+
+layout(location = 0) out float visibility;
+
+// The share of a texel that blocks light from the receiver's plane.
+float blocked(MapPlace at, vec2 centre) {
+    ivec2 size = ivec2(map.size.x);
+    ivec2 texel = ivec2(floor(centre));
+#ifdef CLAMPED
+    texel = clamp(texel, ivec2(0), size - 1);
+#else
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size))) return 0.0;
+#endif
+    vec4 seen = texelFetch(texels, texel, 0);
+#ifdef ANYWHERE
+    float before = 1.0;
+#else
+#ifdef ONE_DEPTH
+    float plane = at.depth;
+#else
+    float plane = at.depth + dot(at.slope, centre - at.texel) + at.slack;
+#endif
+    // What of the texel is nearer than the plane, were the rest at the plane itself.
+    float before = seen.y > plane ? clamp((seen.z - plane) / (seen.y - plane), 0.0, 1.0) : 0.0;
+#ifdef CAUGHT
+    float unknown = at.rise + abs(at.slope.x) + abs(at.slope.y);
+    if (seen.w > 0.0 && seen.w > plane + unknown) return 0.0;
+#endif
+#endif
+    return seen.x * before;
+}
+
+float darkness(MapPlace at) {
+#ifdef BLOCKS
+    return blocked(at, floor(at.texel) + 0.5);
+#else
+    vec2 first = floor(at.texel - 0.5) + 0.5;
+    vec2 part = at.texel - first;
+    vec2 left = vec2(blocked(at, first), blocked(at, first + vec2(0.0, 1.0)));
+    vec2 right = vec2(blocked(at, first + vec2(1.0, 0.0)), blocked(at, first + vec2(1.0, 1.0)));
+    vec2 rows = mix(left, right, part.x);
+    return mix(rows.x, rows.y, part.y);
+#endif
+}
+
+bool dark(Receiver receiver) {
+#ifdef PARALLEL
+    Across seen = across_light(map, receiver);
+    return darkness(place_parallel(map, receiver, seen, map.placement[0], 0.0)) >= 0.5;
+#else
+    Receiver seen = from_light(map, receiver);
+#ifndef BACKWARD
+    if (seen.point.z <= 0.0) return false;
+#endif
+    return darkness(place_pyramid(map, seen, 0.0)) >= 0.5;
+#endif
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec2 surface = texelFetch(gbuffer, pixel, 0).xy;
+    uint id = surface_receiver(surface);
+    vec3 point = ray / texelFetch(depth_buffer, pixel, 0).r;
+#ifdef PARALLEL
+    vec3 to_light = -map.along;
+#else
+    vec3 to_light = map.light - point;
+#endif
+    Receiver receiver = receiver_at(point, surface_direction(surface), to_light, id);
+    visibility = serves(id) && dot(receiver.normal, to_light) > 0.0 && dark(receiver) ? 0.0 : 1.0;
+}

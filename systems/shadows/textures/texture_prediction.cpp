@@ -1,0 +1,124 @@
+#include "systems/shadows/textures/texture_prediction.hpp"
+
+#include "systems/shadows/error_model.hpp"
+#include "systems/shadows/maps/map_error.hpp"
+#include "systems/shadows/textures/texture_view.hpp"
+#include "systems/shadows/volumes/swept_bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace shadows {
+
+namespace {
+
+/// What rasterisers and tracers disagree by, px of every edge: a shift of 1/16 px in a random
+/// direction, (2 / pi) / 16.
+constexpr double kPrecisionFloorPx = 0.04;
+/// Texels may be that many times as large as the accepted error: what is thinner is lost.
+constexpr double kLargestTexelPerBudget = 4.0;
+/// Look-ups of the mask for each pixel: four texels, each four times as wide as a map's, in units
+/// of a map's gathered four.
+constexpr double kTapsPerPixel = 2.0;
+/// Passes besides the casters' draws: the texture's two, the mask.
+constexpr double kOwnDraws = 3.0;
+
+/// A texture of one texel at the place where the shadow meets the receiver, pixels.
+double footprint_of_one(
+    const PairView& pair,
+    const CasterGroup& casters,
+    const TextureView& view,
+    const SweptReach& at) {
+    const scene::CameraView& camera = pair.scene.camera;
+    const glm::dvec3 shown = glm::clamp(camera.position, at.bounds.min, at.bounds.max);
+    const double side = std::max(side_at(view, shown), side_at(view, casters.bounds.centre()));
+    // As texel_footprint_px has it, but where the shadow is instead of where the receiver is.
+    return texel_footprint_px(pair, side) * typical_distance(camera, pair.receiver.bounds)
+           / typical_distance(camera, at.bounds);
+}
+
+int size_for(const PairView& pair, double footprint) {
+    if (pair.wish.map_size) return *pair.wish.map_size;
+    const double largest = std::min(
+        kLargestTexelPerBudget * pair.budget_px,
+        std::max(pair.budget_px - kPrecisionFloorPx, 0.01) / kTextureEdgeTexels);
+    int size = kSmallestTexture;
+    while (size < kLargestTexture && footprint / size > largest)
+        size *= 2;
+    return size;
+}
+
+/// A receiver that is one of the casters, and may darken itself.
+const CasterView* own_caster(const PairView& pair, const CasterGroup& casters) {
+    for (const std::uint32_t index : casters.casters) {
+        const CasterView& caster = pair.scene.casters[index];
+        if (caster.id == pair.receiver.entity && !caster.convex
+            && stands_before(caster.bounds, pair.receiver))
+            return &caster;
+    }
+    return nullptr;
+}
+
+/// Whether something that receives without casting may catch the shadow before the receiver.
+bool may_be_caught(const PairView& pair, const CasterGroup& casters) {
+    const ShadowScene& scene = pair.scene;
+    return !scene.everything_casts
+           && std::any_of(
+               scene.receivers.begin(), scene.receivers.end(), [&](const ReceiverView& other) {
+                   return !other.casts && other.id != pair.receiver.id
+                          && can_shadow(pair.light, casters.bounds, other.bounds)
+                          && can_shadow(pair.light, other.bounds, pair.receiver.bounds);
+               });
+}
+
+/// Where the shadow falls, and how large a texture of one texel is there.
+struct Lie {
+    SweptReach reach;
+    double footprint = 0.0; ///< pixels
+};
+
+engine::Result<std::optional<Lie>> lie_of(const PairView& pair, const CasterGroup& casters) {
+    const auto view = fit_texture(pair.light, {&casters.bounds, 1}, {}, 1, 0);
+    if (!view) return view.error();
+    const auto reach = swept_reach(pair.light, casters.bounds, pair.receiver.bounds);
+    if (!reach) return std::optional<Lie>();
+    return std::optional<Lie>({*reach, footprint_of_one(pair, casters, *view, *reach)});
+}
+
+} // namespace
+
+engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters) {
+    if (const CasterView* own = own_caster(pair, casters))
+        return engine::Error{fmt::format("'{}' may darken itself", own->name)};
+    const auto lie = lie_of(pair, casters);
+    if (!lie) return lie.error();
+    if (!*lie) return Prediction{}; // no shadow of theirs falls there
+    const int size = size_for(pair, (*lie)->footprint);
+    const double texel_px = (*lie)->footprint / size;
+    const ShadowFootprint shadow = shadow_footprint(pair, casters);
+    Prediction prediction;
+    prediction.error_px =
+        kPrecisionFloorPx + kTextureEdgeTexels * texel_px + 0.25 * penumbra_px(pair, casters);
+    // Truth lets light through what does not cast, and the shadow with it.
+    if (may_be_caught(pair, casters))
+        prediction.error_px += shadow.length_px / (2.0 * std::numbers::pi);
+    prediction.error_area_px = prediction.error_px * shadow.length_px;
+    const double texels = static_cast<double>(size) * size;
+    prediction.cost.vertices = static_cast<double>(casters.triangles);
+    // Drawing the texture is shared by all receivers of the light.
+    prediction.cost.map_texels = (kSamplesPerSide * kSamplesPerSide + 1) * texels
+                                 / static_cast<double>(pair.scene.receivers.size());
+    prediction.cost.taps = kTapsPerPixel * swept_pixels(pair.scene.camera, {(*lie)->reach}).area();
+    prediction.cost.draws = kOwnDraws + static_cast<double>(casters.casters.size());
+    return prediction;
+}
+
+int texture_size_for(const PairView& pair, const CasterGroup& casters) {
+    if (pair.wish.map_size) return *pair.wish.map_size;
+    const auto lie = lie_of(pair, casters);
+    return lie && *lie ? size_for(pair, (*lie)->footprint) : kSmallestTexture;
+}
+
+} // namespace shadows

@@ -1,0 +1,28 @@
+// What shadow textures would be worth for a pair: their domain, error, cost, and texels.
+
+#pragma once
+
+#include "engine/core/result.hpp"
+#include "systems/shadows/pairs.hpp"
+#include "systems/shadows/plan.hpp"
+
+namespace shadows {
+
+inline constexpr int kSmallestTexture = 16;
+inline constexpr int kLargestTexture = 2048;
+/// Samples per side of a texel, from which its coverage is counted.
+inline constexpr int kSamplesPerSide = 2;
+
+/// Mean error per length of edge, in texels, where coverage is one half: 0.073 for straight edges,
+/// 0.09 for discs of two texels' radius. Held by tests/systems/shadows/textures.
+inline constexpr double kTextureEdgeTexels = 0.09;
+
+/// Errors: the casters may darken the receiver because it is one of them; a lamp amid its casters.
+engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters);
+
+/// Texels per side: what was asked for, else the least power of two that keeps the pair's budget
+/// where the shadow falls.
+/// @pre predict_texture() does not refuse
+int texture_size_for(const PairView& pair, const CasterGroup& casters);
+
+} // namespace shadows

@@ -1,0 +1,256 @@
+// Failures of shadow textures.
+//
+// Sources: M. Segal et al., "Fast Shadows and Lighting Effects Using Texture Mapping", 1992;
+// C. Everitt, "Projective Texture Mapping", 2001 (backward projection, borders).
+//
+// Two known failures are no cases. A caster that should darken itself (T2) is refused by prediction
+// and tested there. Back faces darkened twice (T6): masks touch nothing but the light's own share,
+// which a face that is turned away has none of.
+
+#include "tests/atlas/cases.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace atlas {
+
+namespace {
+
+using shadows::Remedy;
+using test_support::at;
+using test_support::camera_looking;
+using test_support::floor_of;
+using test_support::sun_along;
+using test_support::usual_camera;
+using test_support::WorldBuilder;
+
+constexpr const char* kTechnique = "shadow_texture";
+
+scene::PlacedLight lamp_at(const glm::dvec3& position) {
+    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
+}
+
+void casts_nothing(WorldBuilder& builder, ecs::Entity entity) {
+    builder.world.registry.patch<scene::ShadowRole>(
+        entity, [](scene::ShadowRole& role) { role.casts = false; });
+}
+
+/// A platform that is higher or lower than the ball over it.
+Stage platform_and_ball(double height) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("ball", scene::make_sphere(0.5F), at({0.0, 2.0, 0.0}));
+    casts_nothing(
+        builder,
+        builder.add(
+            "platform", scene::make_box({3.0F, 0.1F, 3.0F}), at({0.0, height - 0.05, 0.0})));
+    builder.add_light(lamp_at({0.0, 6.0, 0.0}));
+    return pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, height + 3.0, 4.0}, {0.0, height, 0.0}, kPictureSize, kPictureSize),
+        "lamp",
+        "platform",
+        kTechnique);
+}
+
+/// A lamp between a ball and a ceiling.
+Stage ball_under_ceiling(double ceiling) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("ball", scene::make_sphere(0.3F), at({0.0, 2.0, 0.0}));
+    builder.add("ceiling", scene::make_box({8.0F, 0.1F, 8.0F}), at({0.0, ceiling + 0.05, 0.0}));
+    builder.add_light(lamp_at({0.0, 3.0, 0.0}));
+    Stage stage = pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 1.5, 6.0}, {0.0, 3.0, 0.0}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        kTechnique);
+    // The ceiling needs no shadow, and the projection has to leave it alone.
+    stage.level.shadows.receivers["ceiling"].technique = kTechnique;
+    return stage;
+}
+
+/// Boxes fill their texture from side to side.
+Stage slab_under_sun(double size) {
+    WorldBuilder builder = floor_of(20.0F);
+    scene::Transform place = at({0.0, 1.0, 0.0});
+    builder.add("slab", scene::make_box({1.0F, 0.2F, 1.0F}), place);
+    builder.add_light(sun_along({0.0, -1.0, 0.0}));
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "sun", "floor", kTechnique);
+    stage.level.shadows.scene.map_size = static_cast<int>(size);
+    return stage;
+}
+
+/// A small ball near its lamp: its shadow is twenty times as large.
+Stage ball_near_lamp(double size) {
+    WorldBuilder builder = floor_of(60.0F);
+    builder.add("ball", scene::make_sphere(0.25F), at({0.0, 8.0, 0.0}));
+    builder.add_light(lamp_at({0.0, 9.0, 0.0}));
+    Stage stage = pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 6.0, 9.0}, {0.0, 0.0, 0.0}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        kTechnique);
+    stage.level.shadows.scene.map_size = static_cast<int>(size);
+    return stage;
+}
+
+/// Crates and a board over them, one cluster: each is receiver and caster.
+Stage crates_in_a_cluster(double elevation) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("crate", scene::make_box(glm::vec3(1.0F)), at({-0.6, 0.5, 0.0}));
+    builder.add_instance("other", 1, at({0.9, 0.5, -0.4}));
+    builder.add("board", scene::make_box({0.5F, 0.05F, 1.6F}), at({-0.6, 2.0, 0.0}));
+    builder.add_light(test_support::sun_at(elevation, 30.0));
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "sun", "crate", kTechnique);
+    stage.level.shadows.receivers["other"].technique = kTechnique;
+    stage.level.shadows.receivers["board"].technique = kTechnique;
+    return stage;
+}
+
+/// Two storeys whose floors cast nothing; the picture shows the lower one alone.
+Stage two_storeys(double height) {
+    WorldBuilder builder = floor_of(6.0F);
+    casts_nothing(
+        builder,
+        builder.add("upper", scene::make_box({6.0F, 0.2F, 6.0F}), at({0.0, height - 0.1, 0.0})));
+    builder.add("ball", scene::make_sphere(0.5F), at({0.0, height + 1.0, 0.0}));
+    builder.add_light(lamp_at({0.0, height + 4.0, 0.0}));
+    Stage stage = pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 1.6, 2.8}, {0.0, 0.0, 0.0}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        kTechnique);
+    return stage;
+}
+
+/// A lamp and a post outside a room whose wall casts nothing.
+Stage room_behind_wall(double distance) {
+    WorldBuilder builder = floor_of(6.0F);
+    casts_nothing(
+        builder, builder.add("wall", scene::make_box({8.0F, 4.0F, 0.2F}), at({0.0, 2.0, 3.0})));
+    builder.add("post", scene::make_box({0.3F, 2.0F, 0.3F}), at({0.0, 1.2, 3.1 + distance}));
+    builder.add("back", scene::make_box({8.0F, 4.0F, 0.2F}), at({0.0, 2.0, -3.0}));
+    builder.add_light(lamp_at({0.0, 1.5, 6.0 + distance}));
+    Stage stage = pinned_stage(
+        std::move(builder.world),
+        camera_looking({0.0, 2.0, 2.6}, {0.0, 0.8, -2.0}, kPictureSize, kPictureSize),
+        "lamp",
+        "floor",
+        kTechnique);
+    stage.level.shadows.receivers["back"].technique = kTechnique;
+    return stage;
+}
+
+/// Two storeys whose floors cast: below, everything under the upper floor is dark.
+Stage two_casting_storeys(double x) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("upper", scene::make_box({3.0F, 0.2F, 3.0F}), at({0.0, 2.0, 0.0}));
+    builder.add("ball", scene::make_sphere(0.5F), at({x, 3.2, 0.0}));
+    builder.add_light(sun_along({0.3, -1.0, 0.2}));
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "sun", "floor", kTechnique);
+    stage.level.shadows.receivers["upper"].technique = kTechnique;
+    return stage;
+}
+
+/// A knot over a ring: a curved receiver, and an outline with holes.
+Stage torus_over_sphere(double elevation) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("dome", scene::make_sphere(1.2F, 48), at({0.0, 0.2, 0.0}));
+    builder.add("ring", scene::make_torus(0.6F, 0.15F), at({0.0, 2.4, 0.0}));
+    builder.add_light(test_support::sun_at(elevation, 60.0));
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "sun", "dome", kTechnique);
+    stage.level.shadows.receivers["floor"].technique = kTechnique;
+    return stage;
+}
+
+double dark_px(const Observation& seen) {
+    const measure::Comparison& comparison = seen.comparison;
+    double count = 0.0;
+    for (std::size_t i = 0; i < comparison.kind.size(); ++i)
+        if (comparison.kind[i] == measure::PixelKind::valid
+            && comparison.measured.visibility[i] < 1.0F)
+            count += 1.0;
+    return count;
+}
+
+/// What a designer means by a floor: no shadow passes it, though light does.
+Gate nothing_dark() {
+    return {"dark behind the first receiver, px", dark_px};
+}
+
+Gate eps_at_most(double px) {
+    return {
+        "eps, px of error per px of edge",
+        [](const Observation& seen) {
+            return seen.figures.eps_px.known() ? seen.figures.eps_px.value() : 0.0;
+        },
+        px};
+}
+
+} // namespace
+
+std::vector<Case> texture_cases() {
+    const std::vector<Gate> clean = {no_false_shadow_inside(), no_light_leak_inside()};
+    return {
+        {"T1",
+         "a platform between the lamp and the ball gets the ball's shadow",
+         platform_and_ball,
+         {1.0, 5.0, 4.0},
+         Remedy::texture_behind_only,
+         clean},
+        {"T3",
+         "the ceiling above the lamp gets a mirrored shadow",
+         ball_under_ceiling,
+         {4.0, 6.0, 5.0},
+         Remedy::texture_before_light,
+         clean},
+        {"T4",
+         "a caster at the texture's edge is smeared without end",
+         slab_under_sun,
+         {64.0, 320.0, 128.0},
+         Remedy::texture_border,
+         clean},
+        {"T5",
+         "near the camera the outline is made of blocks",
+         ball_near_lamp,
+         {32.0, 128.0, 32.0},
+         Remedy::texture_half_coverage,
+         {eps_at_most(1.0)}},
+        {"T7",
+         "a shadow falls through the floor into the storey below",
+         two_storeys,
+         {3.0, 5.0, 3.0},
+         Remedy::texture_first_receiver,
+         {nothing_dark()}},
+        {"T8",
+         "a shadow falls through a wall into the room behind",
+         room_behind_wall,
+         {0.6, 2.0, 1.0},
+         Remedy::texture_first_receiver,
+         {nothing_dark()}},
+        {"T9",
+         "in a cluster a caster's lit side darkens itself",
+         crates_in_a_cluster,
+         {25.0, 65.0, 35.0},
+         Remedy::texture_plane_depth,
+         clean},
+        {"Storeys",
+         "light reaches the storey below a floor that casts",
+         two_casting_storeys,
+         {-1.5, 1.5, 0.0},
+         std::nullopt,
+         clean},
+        {"Dome",
+         "the shadow on a curved receiver lies beside the truth",
+         torus_over_sphere,
+         {35.0, 75.0, 55.0},
+         std::nullopt,
+         clean},
+    };
+}
+
+} // namespace atlas
