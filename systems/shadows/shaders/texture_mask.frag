@@ -20,6 +20,10 @@ flat in MapInputs map;
 
 layout(location = 0) out float visibility;
 
+// No surface that still takes light to speak of rises more than 16 texels' depth within one: what is so much nearer
+// blocks, whatever a plane seen edge on says.
+const float STEEPEST = 16.0 / CREASE_TANGENT;
+
 // The share of a texel that blocks light from the receiver's plane.
 float blocked(MapPlace at, vec2 centre) {
     ivec2 size = ivec2(map.size.x);
@@ -33,15 +37,15 @@ float blocked(MapPlace at, vec2 centre) {
 #ifdef ANYWHERE
     float before = 1.0;
 #else
-#ifdef ONE_DEPTH
-    float plane = at.depth;
-#else
-    float plane = at.depth + dot(at.slope, centre - at.texel) + at.slack;
-#endif
+    // Where shading turns away before the surface does, the two say nothing about each other.
+    float unknown = at.rise + abs(at.slope.x) + abs(at.slope.y);
+    float plane = at.depth + min(dot(at.slope, centre - at.texel) + min(at.slack, unknown), STEEPEST * at.rise);
     // What of the texel is nearer than the plane, were the rest at the plane itself.
     float before = seen.y > plane ? clamp((seen.z - plane) / (seen.y - plane), 0.0, 1.0) : 0.0;
-#ifdef CAUGHT
-    float unknown = at.rise + abs(at.slope.x) + abs(at.slope.y);
+#ifdef ONE_DEPTH
+    before = step(at.depth, seen.y);
+#endif
+#if defined(CAUGHT) && !defined(BACKWARD)
     if (seen.w > 0.0 && seen.w > plane + unknown) return 0.0;
 #endif
 #endif

@@ -17,6 +17,8 @@ namespace {
 /// What rasterisers and tracers disagree by, px of every edge: a shift of 1/16 px in a random
 /// direction, (2 / pi) / 16.
 constexpr double kPrecisionFloorPx = 0.04;
+/// kTextureEdgeTexels where a caster darkens itself: coverage is then guessed from two depths.
+constexpr double kOwnEdgeTexels = 0.19;
 /// Texels may be that many times as large as the accepted error: what is thinner is lost.
 constexpr double kLargestTexelPerBudget = 4.0;
 /// Look-ups of the mask for each pixel: four texels, each four times as wide as a map's, in units
@@ -39,26 +41,26 @@ double footprint_of_one(
            / typical_distance(camera, at.bounds);
 }
 
-int size_for(const PairView& pair, double footprint) {
+int size_for(const PairView& pair, double footprint, double edge_texels) {
     if (pair.wish.map_size) return *pair.wish.map_size;
     const double largest = std::min(
         kLargestTexelPerBudget * pair.budget_px,
-        std::max(pair.budget_px - kPrecisionFloorPx, 0.01) / kTextureEdgeTexels);
+        std::max(pair.budget_px - kPrecisionFloorPx, 0.01) / edge_texels);
     int size = kSmallestTexture;
     while (size < kLargestTexture && footprint / size > largest)
         size *= 2;
     return size;
 }
 
-/// A receiver that is one of the casters, and may darken itself.
-const CasterView* own_caster(const PairView& pair, const CasterGroup& casters) {
+/// Whether the receiver is one of the casters, and may darken itself.
+bool may_darken_itself(const PairView& pair, const CasterGroup& casters) {
     for (const std::uint32_t index : casters.casters) {
         const CasterView& caster = pair.scene.casters[index];
         if (caster.id == pair.receiver.entity && !caster.convex
             && stands_before(caster.bounds, pair.receiver))
-            return &caster;
+            return true;
     }
-    return nullptr;
+    return false;
 }
 
 /// Whether something that receives without casting may catch the shadow before the receiver.
@@ -77,6 +79,7 @@ bool may_be_caught(const PairView& pair, const CasterGroup& casters) {
 struct Lie {
     SweptReach reach;
     double footprint = 0.0; ///< pixels
+    double edge_texels = kTextureEdgeTexels;
 };
 
 engine::Result<std::optional<Lie>> lie_of(const PairView& pair, const CasterGroup& casters) {
@@ -84,23 +87,24 @@ engine::Result<std::optional<Lie>> lie_of(const PairView& pair, const CasterGrou
     if (!view) return view.error();
     const auto reach = swept_reach(pair.light, casters.bounds, pair.receiver.bounds);
     if (!reach) return std::optional<Lie>();
-    return std::optional<Lie>({*reach, footprint_of_one(pair, casters, *view, *reach)});
+    return std::optional<Lie>(
+        {*reach,
+         footprint_of_one(pair, casters, *view, *reach),
+         may_darken_itself(pair, casters) ? kOwnEdgeTexels : kTextureEdgeTexels});
 }
 
 } // namespace
 
 engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters) {
-    if (const CasterView* own = own_caster(pair, casters))
-        return engine::Error{fmt::format("'{}' may darken itself", own->name)};
     const auto lie = lie_of(pair, casters);
     if (!lie) return lie.error();
     if (!*lie) return Prediction{}; // no shadow of theirs falls there
-    const int size = size_for(pair, (*lie)->footprint);
+    const int size = size_for(pair, (*lie)->footprint, (*lie)->edge_texels);
     const double texel_px = (*lie)->footprint / size;
     const ShadowFootprint shadow = shadow_footprint(pair, casters);
     Prediction prediction;
     prediction.error_px =
-        kPrecisionFloorPx + kTextureEdgeTexels * texel_px + 0.25 * penumbra_px(pair, casters);
+        kPrecisionFloorPx + (*lie)->edge_texels * texel_px + 0.25 * penumbra_px(pair, casters);
     // Truth lets light through what does not cast, and the shadow with it.
     if (may_be_caught(pair, casters))
         prediction.error_px += shadow.length_px / (2.0 * std::numbers::pi);
@@ -118,7 +122,7 @@ engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGro
 int texture_size_for(const PairView& pair, const CasterGroup& casters) {
     if (pair.wish.map_size) return *pair.wish.map_size;
     const auto lie = lie_of(pair, casters);
-    return lie && *lie ? size_for(pair, (*lie)->footprint) : kSmallestTexture;
+    return lie && *lie ? size_for(pair, (*lie)->footprint, (*lie)->edge_texels) : kSmallestTexture;
 }
 
 } // namespace shadows

@@ -17,7 +17,7 @@ inline constexpr int kSamplesPerSide = 2;
 /// 0.09 for discs of two texels' radius. Held by tests/systems/shadows/textures.
 inline constexpr double kTextureEdgeTexels = 0.09;
 
-/// Errors: the casters may darken the receiver because it is one of them; a lamp amid its casters.
+/// Errors: a lamp amid its casters, or so close to them that no texture holds them.
 engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters);
 
 /// Texels per side: what was asked for, else the least power of two that keeps the pair's budget
