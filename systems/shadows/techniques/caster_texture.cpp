@@ -26,6 +26,26 @@ const ReceiverView& receiver_of(const ShadowScene& scene, const Plan& plan) {
         });
 }
 
+/// Where the shadow can be seen: one rectangle round all receivers, or one for each where that is
+/// less to draw. They may overlap: masks take the minimum.
+std::vector<gpu::Rect> areas_of(
+    const scene::CameraView& camera,
+    const std::vector<SweptReach>& reaches,
+    const gpu::Rect& whole) {
+    std::vector<gpu::Rect> areas;
+    gpu::Rect round;
+    std::uint64_t sum = 0;
+    for (const SweptReach& reach : reaches) {
+        const gpu::Rect area = intersection(to_rect(swept_pixels(camera, {reach})), whole);
+        if (area.empty()) continue;
+        areas.push_back(area);
+        round = hull(round, area);
+        sum += pixels(area);
+    }
+    if (areas.size() > 1 && pixels(round) <= sum) return {round};
+    return areas;
+}
+
 bool is_local(const LightView& light) {
     return light.light.kind != scene::LightKind::directional;
 }
@@ -250,18 +270,19 @@ void CasterTexture::apply(
     const bool everywhere = !remedies_.on(Remedy::texture_before_light)
                             || !remedies_.on(Remedy::texture_border)
                             || !remedies_.on(Remedy::texture_behind_only);
-    const gpu::Rect area = everywhere
-                               ? target.area
-                               : intersection(to_rect(swept_pixels(camera, reaches_)), target.area);
-    if (area.empty()) return;
-    state.scissor = area;
-    frame.state(state);
+    const std::vector<gpu::Rect> areas =
+        everywhere ? std::vector{target.area} : areas_of(camera, reaches_, target.area);
+    if (areas.empty()) return;
     place(camera);
     receivers_.bind();
     texture_.bind(UNIT_VISIBILITY);
-    frame.draw_fullscreen(*mask_);
-    frame.counters().mask_fragments += pixels(area);
-    frame.counters().taps += 4 * pixels(area);
+    for (const gpu::Rect& area : areas) {
+        state.scissor = area;
+        frame.state(state);
+        frame.draw_fullscreen(*mask_);
+        frame.counters().mask_fragments += pixels(area);
+        frame.counters().taps += 4 * pixels(area);
+    }
 }
 
 } // namespace shadows

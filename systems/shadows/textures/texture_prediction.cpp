@@ -24,6 +24,11 @@ constexpr double kLargestTexelPerBudget = 4.0;
 /// Look-ups of the mask for each pixel: four texels, each four times as wide as a map's, in units
 /// of a map's gathered four.
 constexpr double kTapsPerPixel = 2.0;
+/// What a texel costs, in texels of a map: its samples, and 20 ns against 3 for making one of them
+/// on llvmpipe.
+constexpr double kMapTexelsPerTexel = kSamplesPerSide * kSamplesPerSide + 7.0;
+/// Receivers that share a texture: those behind one group, not all of the light's.
+constexpr double kReceiversPerTexture = 4.0;
 /// Passes besides the casters' draws: the texture's two, the mask.
 constexpr double kOwnDraws = 3.0;
 
@@ -111,9 +116,7 @@ engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGro
     prediction.error_area_px = prediction.error_px * shadow.length_px;
     const double texels = static_cast<double>(size) * size;
     prediction.cost.vertices = static_cast<double>(casters.triangles);
-    // Drawing the texture is shared by all receivers of the light.
-    prediction.cost.map_texels = (kSamplesPerSide * kSamplesPerSide + 1) * texels
-                                 / static_cast<double>(pair.scene.receivers.size());
+    prediction.cost.map_texels = kMapTexelsPerTexel * texels / kReceiversPerTexture;
     prediction.cost.taps = kTapsPerPixel * swept_pixels(pair.scene.camera, {(*lie)->reach}).area();
     prediction.cost.draws = kOwnDraws + static_cast<double>(casters.casters.size());
     return prediction;

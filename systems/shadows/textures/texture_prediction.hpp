@@ -9,7 +9,7 @@
 namespace shadows {
 
 inline constexpr int kSmallestTexture = 16;
-inline constexpr int kLargestTexture = 2048;
+inline constexpr int kLargestTexture = 1024;
 /// Samples per side of a texel, from which its coverage is counted.
 inline constexpr int kSamplesPerSide = 2;
 
