@@ -21,9 +21,8 @@ constexpr double kPrecisionFloorPx = 0.04;
 constexpr double kOwnEdgeTexels = 0.19;
 /// Texels may be that many times as large as the accepted error: what is thinner is lost.
 constexpr double kLargestTexelPerBudget = 4.0;
-/// Look-ups of the mask for each pixel: four texels, each four times as wide as a map's, in units
-/// of a map's gathered four.
-constexpr double kTapsPerPixel = 2.0;
+/// Look-ups of the mask: four texels for each pixel.
+constexpr double kTapsPerPixel = 4.0;
 /// What a texel costs, in texels of a map: its samples, and 20 ns against 3 for making one of them
 /// on llvmpipe.
 constexpr double kMapTexelsPerTexel = kSamplesPerSide * kSamplesPerSide + 7.0;
