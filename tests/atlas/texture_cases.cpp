@@ -3,9 +3,8 @@
 // Sources: M. Segal et al., "Fast Shadows and Lighting Effects Using Texture Mapping", 1992;
 // C. Everitt, "Projective Texture Mapping", 2001 (backward projection, borders).
 //
-// Two known failures are no cases. A caster that should darken itself (T2) is refused by prediction
-// and tested there. Back faces darkened twice (T6): masks touch nothing but the light's own share,
-// which a face that is turned away has none of.
+// One known failure is no case. Back faces darkened twice (T6): masks touch nothing but the light's
+// own share, which a face that is turned away has none of.
 
 #include "tests/atlas/cases.hpp"
 #include "tests/support/worlds.hpp"

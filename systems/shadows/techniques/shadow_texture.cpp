@@ -1,9 +1,9 @@
 // Shadow textures: a group of casters, drawn from the light into a texture of its own and projected
 // on whatever lies behind. Right for small groups over large receivers, flat or curved: texels are
 // spent on the casters' outline alone, as many as the shadow needs where it falls, and still things
-// cost nothing. Its artefacts: what is thinner than half a texel has no shadow; a shadow ends at
-// the first surface that receives, even one that lets light through because it casts nothing; and
-// no concave caster darkens itself.
+// cost nothing. Its artefacts: edges are hard even where the light is large; what is thinner than
+// half a texel has no shadow; and a shadow ends at the first surface that receives, even one that
+// lets light through because it casts nothing.
 //
 // A texel knows which share of it is covered, and how deep. An edge lies where half is covered,
 // which stays a line under magnification; a point is dark only behind the caster.
