@@ -95,12 +95,18 @@ TEST(Snapshot, RolesAreKept) {
         role.casts = false;
         role.receives = false;
     });
+    const ecs::Entity screen = boxes.add("screen", {6, 0, 0});
+    boxes.world.registry.patch<scene::ShadowRole>(
+        screen, [](scene::ShadowRole& role) { role.casts = false; });
     boxes.add("solid", {3, 0, 0});
 
     const ShadowScene scene = boxes.snapshot();
 
     ASSERT_EQ(scene.casters.size(), 1U);
     EXPECT_EQ(scene.casters[0].name, "solid");
+    EXPECT_FALSE(receiver(scene, "screen#1").casts);
+    EXPECT_TRUE(receiver(scene, "solid#1").casts);
+    EXPECT_FALSE(scene.everything_casts);
     EXPECT_TRUE(scene.casters[0].closed);
     EXPECT_EQ(receiver(scene, "solid#1").entity, scene.casters[0].id);
 }
