@@ -30,13 +30,16 @@ engine::Result<GBuffer> GBuffer::make(int width, int height, bool with_stencil) 
     GBuffer made;
     made.surface_ = gpu::Texture(
         "gbuffer/surface", {.format = gpu::Format::rg32ui, .width = width, .height = height});
+    made.facets_ = gpu::Texture(
+        "gbuffer/facets", {.format = gpu::Format::r32ui, .width = width, .height = height});
     made.depth_ = gpu::Texture(
         "gbuffer/depth",
         {.format = with_stencil ? gpu::Format::depth32f_stencil8 : gpu::Format::depth32f,
          .width = width,
          .height = height});
     auto target = gpu::Framebuffer::make(
-        "gbuffer", {.colors = {{&made.surface_}}, .depth = gpu::Attachment{&made.depth_}});
+        "gbuffer",
+        {.colors = {{&made.surface_}, {&made.facets_}}, .depth = gpu::Attachment{&made.depth_}});
     if (!target) return target.error();
     made.target_ = *std::move(target);
     return made;

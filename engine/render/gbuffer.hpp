@@ -1,5 +1,5 @@
-// The packed G-buffer: one 64-bit colour target and reversed depth with stencil, and the pass that
-// fills them.
+// The packed G-buffer: what is lit, the triangles it consists of, reversed depth with stencil, and
+// the pass that fills them.
 
 #pragma once
 
@@ -21,6 +21,9 @@ public:
     [[nodiscard]] const gpu::Texture& surface() const {
         return surface_;
     } ///< rg32ui, include/gbuffer.glsl
+    [[nodiscard]] const gpu::Texture& facets() const {
+        return facets_;
+    } ///< r32ui, normals of triangles
     [[nodiscard]] const gpu::Texture& depth() const {
         return depth_;
     } ///< reversed; depth32f, or depth32f_stencil8 where a technique needs it
@@ -28,6 +31,7 @@ public:
 
 private:
     gpu::Texture surface_;
+    gpu::Texture facets_;
     gpu::Texture depth_;
     gpu::Framebuffer target_;
 };

@@ -25,6 +25,7 @@ struct VisibilityTarget {
     /// everywhere, and whoever writes it leaves it so.
     const gpu::Framebuffer* mask_with_stencil;
     const gpu::Texture& gbuffer; ///< rg32ui, as include/gbuffer.glsl packs it
+    const gpu::Texture& facets;  ///< r32ui, normals of the triangles
     const gpu::Texture& depth;   ///< reversed; not attached to `mask`
     gpu::Rect area;              ///< what of the mask will be read: touch nothing else
 };

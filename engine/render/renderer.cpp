@@ -154,6 +154,7 @@ VisibilityTarget Renderer::mask_target(std::size_t layer, const gpu::Rect& area)
         masks_.targets[layer],
         masks_.with_stencil.empty() ? nullptr : &masks_.with_stencil[layer],
         gbuffer_->surface(),
+        gbuffer_->facets(),
         gbuffer_->depth(),
         area};
 }

@@ -20,6 +20,7 @@ Stage yard(const std::string& filter) {
     builder.add("basement", scene::make_plane(glm::vec2(60.0F)), at({0.0, -3.0, 0.0}));
     builder.add("box", scene::make_box(glm::vec3(1.0F)), at({-1.5, 0.5, 0.0}));
     builder.add("ball", scene::make_sphere(0.8F), at({1.2, 1.2, 0.5}));
+    builder.add("lantern", scene::make_sphere(0.7F, 12), at({-2.6, 0.9, 1.6}));
     builder.add("ring", scene::make_torus(0.8F, 0.25F), at({0.0, 0.25, 2.0}));
     builder.add_light(test_support::sun_at(32.0, 40.0));
     Stage stage;

@@ -8,6 +8,7 @@ layout(location = ATTRIBUTE_PATCH) in uint patch_id;
 // Receiver id of patch 0, packed base color (square root encoded), alpha of the base color and cutoff as floats.
 layout(location = ATTRIBUTE_SURFACE) in uvec4 surface;
 
+out vec3 point_relative;
 out vec3 normal_relative;
 flat out uvec4 instance_surface;
 #ifdef TEXTURED
@@ -17,6 +18,7 @@ out vec2 uv;
 
 void main() {
     gl_Position = clip_position(position_mesh);
+    point_relative = relative_position(position_mesh);
     normal_relative = relative_normal(normal_mesh.xyz);
     instance_surface = surface;
     bool without_patches = (surface.x & SURFACE_WITHOUT_PATCHES) != 0u;

@@ -7,7 +7,7 @@ namespace shadows {
 namespace {
 
 // Of include/map_place.glsl: ROUNDING_TEXELS and CREASE_TANGENT.
-constexpr double kRoundingTexels = 0.15;
+constexpr double kRoundingTexels = 0.25;
 constexpr double kCreaseTangent = 2.0;
 
 /// Rows of a view's rotation.

@@ -6,15 +6,6 @@
 
 #include "render/shared/bindings.h"
 #include "render/include/gbuffer.glsl"
-// Texels from a place to the farthest centre that the filter reads, along an axis.
-#if defined(FILTER_NEAREST)
-#define FILTER_REACH 0.5
-#elif defined(FILTER_BILINEAR)
-#define FILTER_REACH 1.0
-#else
-#define FILTER_REACH (0.5 * float(PCF_WIDTH + 1))
-#endif
-
 #include "shadows/include/map_inputs.glsl"
 #include "shadows/include/map_place.glsl"
 #include "shadows/include/map_filter.glsl"
@@ -23,6 +14,7 @@
 #endif
 
 layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
+layout(binding = UNIT_FACETS) uniform usampler2D facets;
 layout(binding = UNIT_DEPTH) uniform sampler2D depth_buffer;
 
 noperspective in vec3 ray;
@@ -90,7 +82,6 @@ float light_at(MapInputs map, Receiver receiver) {
     seen = Receiver(
         face_axes(seen.point, leading, side),
         face_axes(seen.normal, leading, side),
-        face_axes(seen.shaded, leading, side),
         seen.unknown_texels);
     float face = float(2 * leading) + (side > 0.0 ? 0.0 : 1.0);
     return light_through(place_pyramid(map, seen, face), map.size.y);
@@ -107,7 +98,8 @@ void main() {
 #else
     vec3 to_light = map.light - point;
 #endif
-    Receiver receiver = receiver_at(point, surface_direction(surface), to_light, id);
+    vec3 shaded = surface_direction(surface);
+    Receiver receiver = receiver_at(point, facet_direction(texelFetch(facets, pixel, 0).r), shaded, to_light);
     // What is turned away gets no light of this lamp, whatever the map says.
     visibility = dot(receiver.normal, to_light) > 0.0 ? light_at(map, receiver) : 0.0;
 #ifdef EVERY_RECEIVER

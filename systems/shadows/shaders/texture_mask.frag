@@ -6,12 +6,12 @@
 
 #include "render/shared/bindings.h"
 #include "render/include/gbuffer.glsl"
-#define FILTER_REACH 1.0
 #include "shadows/include/map_inputs.glsl"
 #include "shadows/include/map_place.glsl"
 #include "shadows/include/receivers.glsl"
 
 layout(binding = UNIT_GBUFFER) uniform usampler2D gbuffer;
+layout(binding = UNIT_FACETS) uniform usampler2D facets;
 layout(binding = UNIT_DEPTH) uniform sampler2D depth_buffer;
 layout(binding = UNIT_VISIBILITY) uniform sampler2D texels; // as texture_reduce.frag writes them
 
@@ -88,6 +88,7 @@ void main() {
 #else
     vec3 to_light = map.light - point;
 #endif
-    Receiver receiver = receiver_at(point, surface_direction(surface), to_light, id);
+    vec3 shaded = surface_direction(surface);
+    Receiver receiver = receiver_at(point, facet_direction(texelFetch(facets, pixel, 0).r), shaded, to_light);
     visibility = serves(id) && dot(receiver.normal, to_light) > 0.0 && dark(receiver) ? 0.0 : 1.0;
 }

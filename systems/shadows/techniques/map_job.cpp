@@ -168,6 +168,7 @@ void MapJob::apply(
     place(*mask_, camera);
     receivers_.bind();
     target.gbuffer.bind(UNIT_GBUFFER);
+    target.facets.bind(UNIT_FACETS);
     target.depth.bind(UNIT_DEPTH);
     map_.bind(UNIT_VISIBILITY);
     frame.draw_fullscreen(*mask_);

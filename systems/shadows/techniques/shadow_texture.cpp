@@ -108,6 +108,7 @@ public:
         const gpu::ScopedPass pass(
             frame, fmt::format("{}/{}/mask", light_name_, kName), target.mask);
         target.gbuffer.bind(UNIT_GBUFFER);
+        target.facets.bind(UNIT_FACETS);
         target.depth.bind(UNIT_DEPTH);
         gpu::RenderState state = gpu::kScreenState;
         state.blend = gpu::Blend::min;

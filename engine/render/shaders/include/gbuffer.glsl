@@ -1,5 +1,6 @@
 // The packed G-buffer, 64 bits a pixel: 20 of receiver id, 2 x 10 of normal, 3 x 8 of albedo (square root encoded).
-// A receiver id of 0 is a pixel that shows nothing.
+// A receiver id of 0 is a pixel that shows nothing. Beside it lies the normal of the triangle itself, towards the
+// camera, in 2 x 16 bits: shadows fall on triangles, light on the smooth surface that they stand for.
 
 const uint RECEIVER_BITS = 20u;
 const uint RECEIVER_MASK = (1u << RECEIVER_BITS) - 1u;
@@ -34,6 +35,15 @@ vec3 unpack_albedo(uint packed_albedo) {
 uvec2 pack_surface(uint receiver, vec3 normal, uint packed_albedo) {
     uvec2 bits = uvec2(octahedral(normal) * 511.0 + 512.5);
     return uvec2(receiver | (bits.x << 20) | (bits.y << 30), packed_albedo | ((bits.y >> 2) << 24));
+}
+
+uint pack_facet(vec3 normal) {
+    return packSnorm2x16(octahedral(normal));
+}
+
+// The normal, not normalised.
+vec3 facet_direction(uint facet) {
+    return from_octahedral(unpackSnorm2x16(facet), 1.0);
 }
 
 uint surface_receiver(uvec2 surface) {

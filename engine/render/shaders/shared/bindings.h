@@ -20,5 +20,6 @@
 #define UNIT_DEPTH 2
 #define UNIT_MASKS 3
 #define UNIT_LIGHT 4
+#define UNIT_FACETS 6
 
 #endif

@@ -5,13 +5,10 @@
 // and no bias is needed to keep a slanted receiver out of its own shadow.
 // Source of the idea: H. Dou et al., "Adaptive Depth Bias for Shadow Maps", JCGT 2014.
 
-// The receiver under a pixel. Its normal is known twice: from the change of position between pixels (exact inside a
-// triangle, mixed where two meet, nonsense across silhouettes) and as it is shaded (smooth over curved surfaces). The
-// depth between the two is not known; with one of them nonsense, several texels of depth are not.
+// The receiver under a pixel: a plane, and how well its depth is known.
 struct Receiver {
     vec3 point;
-    vec3 normal; // any length, like the other
-    vec3 shaded;
+    vec3 normal; // any length
     float unknown_texels;
 };
 
@@ -24,29 +21,26 @@ struct MapPlace {
     float rise; // depth that another lit surface, meeting this one in a crease, may rise per texel
 };
 
-// Rounding of a plane's normal and position: far below what any filter shows.
-const float ROUNDING_TEXELS = 0.15;
-const float SILHOUETTE_TEXELS = 2.0;
+// Rounding of a plane's normal and position, and the bend from a triangle to the next: below what any filter shows.
+const float ROUNDING_TEXELS = 0.25;
+// Of a triangle that is turned away from a light which still reaches the smooth surface that it stands for.
+const float TURNED_TEXELS = 2.0;
 
 // Where a floor meets a wall a filter reads texels of the wall, which stands before the plane of the floor and yet takes
 // no light from it. A texel blocks only when it is nearer than a wall could be that rises from the receiver by this
 // tangent. What is lost: casters lower than two texels begin their shadows up to a texel late.
 const float CREASE_TANGENT = 2.0;
 
+// Shadows fall on triangles, light on the smooth surface that they stand for.
+// @param facet, shaded normals of the two, any length
 // @param to_light from the receiver, any length
-Receiver receiver_at(vec3 point, vec3 shaded, vec3 to_light, uint id) {
-    vec3 across = cross(dFdxFine(point), dFdyFine(point));
-    float cosine = dot(across, shaded) * inversesqrt(max(dot(across, across) * dot(shaded, shaded), 1e-30));
-    across *= sign(cosine);
-    float change = abs(dFdxFine(float(id))) + abs(dFdyFine(float(id)));
-    bool inside = abs(cosine) > 0.8 && change == 0.0 && dot(across, to_light) > 0.0;
-    return Receiver(point, inside ? across : shaded, shaded, inside ? ROUNDING_TEXELS : SILHOUETTE_TEXELS);
+Receiver receiver_at(vec3 point, vec3 facet, vec3 shaded, vec3 to_light) {
+    bool faces = dot(facet, to_light) > 0.0;
+    return Receiver(point, faces ? facet : shaded, faces ? ROUNDING_TEXELS : TURNED_TEXELS);
 }
 
-float slack_of(Receiver receiver, float depth_per_texel, vec2 slope, vec2 shaded_slope) {
-    vec2 unknown = abs(slope - shaded_slope);
-    return receiver.unknown_texels * (depth_per_texel + abs(slope.x) + abs(slope.y))
-        + FILTER_REACH * (unknown.x + unknown.y);
+float slack_of(Receiver receiver, float depth_per_texel, vec2 slope) {
+    return receiver.unknown_texels * (depth_per_texel + abs(slope.x) + abs(slope.y));
 }
 
 #ifdef PARALLEL
@@ -55,7 +49,6 @@ struct Across {
     vec2 metres; // along right and up, from the camera
     float depth;
     vec2 tilt; // metres along the light per metre across it
-    vec2 shaded_tilt;
 };
 
 Across across_light(MapInputs map, Receiver receiver) {
@@ -66,8 +59,6 @@ Across across_light(MapInputs map, Receiver receiver) {
     seen.depth -= CONSTANT_BIAS * map.depth.x;
 #endif
     seen.tilt = vec2(dot(map.right, receiver.normal), dot(map.up, receiver.normal)) / -dot(map.along, receiver.normal);
-    seen.shaded_tilt =
-        vec2(dot(map.right, receiver.shaded), dot(map.up, receiver.shaded)) / -dot(map.along, receiver.shaded);
     return seen;
 }
 
@@ -83,7 +74,7 @@ MapPlace place_parallel(MapInputs map, Receiver receiver, Across seen, vec4 plac
     at.depth = seen.depth;
     at.slope = seen.tilt * depth_per_texel;
     float largest = max(-depth_per_texel.x, -depth_per_texel.y);
-    at.slack = slack_of(receiver, largest, at.slope, seen.shaded_tilt * depth_per_texel);
+    at.slack = slack_of(receiver, largest, at.slope);
     at.rise = CREASE_TANGENT * largest;
     return at;
 }
@@ -92,7 +83,7 @@ MapPlace place_parallel(MapInputs map, Receiver receiver, Across seen, vec4 plac
 Receiver from_light(MapInputs map, Receiver receiver) {
     mat3 axes = transpose(mat3(map.right, map.up, map.along));
     return Receiver(
-        axes * (receiver.point - map.light), axes * receiver.normal, axes * receiver.shaded, receiver.unknown_texels);
+        axes * (receiver.point - map.light), axes * receiver.normal, receiver.unknown_texels);
 }
 
 // @param receiver in the axes of the view: right, up, forward
@@ -107,9 +98,8 @@ MapPlace place_pyramid(MapInputs map, Receiver receiver, float layer) {
     at.layer = layer;
     at.depth = near / point.z;
     at.slope = receiver.normal.xy * (near / dot(receiver.normal, point)) * per_texel;
-    vec2 shaded_slope = receiver.shaded.xy * (near / dot(receiver.shaded, point)) * per_texel;
     float largest = max(per_texel.x, per_texel.y) * at.depth;
-    at.slack = slack_of(receiver, largest, at.slope, shaded_slope);
+    at.slack = slack_of(receiver, largest, at.slope);
     at.rise = CREASE_TANGENT * largest;
     return at;
 }
