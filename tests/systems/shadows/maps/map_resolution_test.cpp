@@ -52,8 +52,8 @@ TEST(MapResolution, GrowsWithTheCosineOfTheSunsAngle) {
 
     const double texel_px = kTexel / (10.0 * camera.pixel_size());
     EXPECT_NEAR(seen.texel_px, texel_px / std::cos(angle), 1e-4);
-    // What is forgiven, along the light, as it is seen on the floor: a quarter of a texel and of its
-    // slope, and two texels per texel of the filter's reach.
+    // What is forgiven, along the light, as it is seen on the floor: a quarter of a texel and of
+    // its slope, and two texels per texel of the filter's reach.
     const double forgiven = 0.25 * (1.0 + std::tan(angle)) + 2.0 * kReach;
     EXPECT_NEAR(seen.shift_px, forgiven * texel_px * std::sin(angle), 1e-4);
 }
