@@ -3,6 +3,8 @@
 #include "systems/shadows/blob_fit.hpp"
 #include "systems/shadows/screen_bounds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -37,9 +39,20 @@ double drawn_px(const PairView& pair, const CasterGroup& casters) {
     return sum;
 }
 
+/// The lamp is in the ball round the caster, from where no ellipse has the caster's outline.
+bool too_near(const CasterView& caster, const LightView& light) {
+    if (light.light.kind == scene::LightKind::directional) return false;
+    const double distance = glm::length(caster.bounds.centre() - light.position);
+    return distance <= 0.5 * glm::length(caster.bounds.extent());
+}
+
 } // namespace
 
-Prediction predict_blob(const PairView& pair, const CasterGroup& casters) {
+engine::Result<Prediction> predict_blob(const PairView& pair, const CasterGroup& casters) {
+    for (const std::uint32_t index : casters.casters)
+        if (too_near(pair.scene.casters[index], pair.light))
+            return engine::Error{fmt::format(
+                "the lamp is as near to '{}' as that is large", pair.scene.casters[index].name)};
     Prediction prediction;
     const engine::WorldAabb shadow = swept_bounds(pair.light, casters.bounds, pair.receiver.bounds);
     if (shadow.empty()) return prediction;

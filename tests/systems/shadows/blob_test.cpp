@@ -86,7 +86,8 @@ TEST(BlobFit, SweepsNothingTowardsTheLight) {
 
 class BlobPrediction : public testing::Test {
 protected:
-    Prediction predict(double half, double distance) {
+    static engine::Result<Prediction>
+    predict_under(const LightView& light, double half, double distance) {
         ShadowScene scene;
         scene.camera = camera();
         scene.camera.position = {0.0, 3.0, distance};
@@ -99,7 +100,10 @@ protected:
         scene.casters.resize(1);
         scene.casters[0].bounds = group.bounds;
         const scene::ShadowWish wish;
-        return predict_blob({scene, sun(), floor, wish, 1.0}, group);
+        return predict_blob({scene, light, floor, wish, 1.0}, group);
+    }
+    static Prediction predict(double half, double distance) {
+        return *predict_under(sun(), half, distance);
     }
 };
 
@@ -116,6 +120,19 @@ TEST_F(BlobPrediction, ErrsLessTheFartherTheCaster) {
 TEST_F(BlobPrediction, IsInsideABudgetOfOnePixelForAFewPixelsOnly) {
     EXPECT_GT(predict(0.5, 10.0).error_px, 1.0);
     EXPECT_LT(predict(0.05, 20.0).error_px, 1.0);
+}
+
+TEST_F(BlobPrediction, ALampBesideItsCasterIsOutOfTheDomain) {
+    LightView lamp = sun();
+    lamp.light.kind = scene::LightKind::point;
+    lamp.position = {0.0, 2.3, 0.0};
+
+    const auto refused = predict_under(lamp, 0.2, 20.0);
+
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "the lamp is as near to '' as that is large");
+    lamp.position = {0.0, 2.5, 0.0};
+    EXPECT_TRUE(predict_under(lamp, 0.2, 20.0));
 }
 
 } // namespace
