@@ -20,7 +20,7 @@ std::uint64_t versions_of(const scene::World& world) {
 }
 
 /// Everything about a light, its plans and what was asked that a job draws from. Equal text, equal
-/// work.
+/// work. Numbers of plans as bytes: there are thousands.
 std::string fingerprint(
     const LightView& light, const std::vector<const Plan*>& plans, const scene::ShadowWish& wish) {
     const scene::Light& l = light.light;
@@ -45,12 +45,17 @@ std::string fingerprint(
         wish.samples.value_or(0),
         wish.cascades.value_or(0),
         wish.error_px.value_or(0.0F));
+    const auto put = [&](std::uint32_t number) {
+        text.append(reinterpret_cast<const char*>(&number), sizeof(number));
+    };
     for (const Plan* plan : plans) {
-        fmt::format_to(std::back_inserter(text), " {}:", plan->receiver);
+        put(plan->receiver);
+        put(static_cast<std::uint32_t>(plan->entries.size()));
         for (const PlanEntry& entry : plan->entries) {
             text += entry.technique;
+            put(static_cast<std::uint32_t>(entry.caster_groups.size()));
             for (const std::uint32_t group : entry.caster_groups)
-                fmt::format_to(std::back_inserter(text), "{},", group);
+                put(group);
         }
     }
     return text;
