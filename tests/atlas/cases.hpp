@@ -1,10 +1,16 @@
-// The cases, one function per technique.
+// The cases, one function per technique, and what they share.
 
 #pragma once
 
 #include "tests/atlas/atlas.hpp"
+#include "tests/support/worlds.hpp"
 
 namespace atlas {
+
+/// A point light named "lamp" that reaches everything.
+inline scene::PlacedLight lamp_at(const glm::dvec3& position) {
+    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
+}
 
 std::vector<Case> control_cases();
 std::vector<Case> blob_cases();

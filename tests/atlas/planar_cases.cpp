@@ -24,10 +24,6 @@ using test_support::sun_at;
 using test_support::usual_camera;
 using test_support::WorldBuilder;
 
-scene::PlacedLight lamp_at(const glm::dvec3& position) {
-    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
-}
-
 /// A camera that sees `width` metres round a target 20 degrees below it.
 scene::CameraView camera_far_from(const glm::dvec3& target, double distance, double width) {
     const double down = glm::radians(20.0);

@@ -25,10 +25,6 @@ using test_support::WorldBuilder;
 
 constexpr const char* kTechnique = "shadow_texture";
 
-scene::PlacedLight lamp_at(const glm::dvec3& position) {
-    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
-}
-
 void casts_nothing(WorldBuilder& builder, ecs::Entity entity) {
     builder.world.registry.patch<scene::ShadowRole>(
         entity, [](scene::ShadowRole& role) { role.casts = false; });

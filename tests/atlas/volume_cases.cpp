@@ -30,10 +30,6 @@ using test_support::sun_at;
 using test_support::usual_camera;
 using test_support::WorldBuilder;
 
-scene::PlacedLight lamp_at(const glm::dvec3& position) {
-    return test_support::lamp_light("lamp", position, 100.0F, 1000.0F);
-}
-
 /// The floor is served, and what else is named.
 Stage served(WorldBuilder& builder, const std::string& light, const std::string& other = "floor") {
     Stage stage = pinned_stage(
