@@ -7,6 +7,7 @@
 #include "systems/shadows/maps/map_resolution.hpp"
 #include "systems/shadows/screen_bounds.hpp"
 #include "systems/shadows/techniques/map_job.hpp"
+#include "systems/shadows/techniques/map_uniforms.hpp"
 
 #include <fmt/format.h>
 
@@ -106,28 +107,9 @@ protected:
     }
 
     void place(const gpu::Program& mask, const scene::CameraView& camera) const override {
-        const ParallelView& first = views_.front();
-        const glm::dvec3 eye = first.light_from(camera.position);
-        const double per_metre = -1.0 / (first.farthest - first.nearest);
-        mask.set("light_from_world", glm::mat3(first.light_from_world));
-        mask.set(
-            "map_depth",
-            glm::vec4(
-                static_cast<float>(per_metre),
-                static_cast<float>((eye.z - first.farthest) * per_metre),
-                0.0F,
-                0.0F));
-        mask.set("light_position", glm::vec3(0.0F));
-        const auto size = static_cast<float>(first.size);
-        const auto border = static_cast<float>(filter_border(filter()));
-        mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, border));
-        for (std::size_t i = 0; i < views_.size(); ++i) {
-            const ParallelView& view = views_[i];
-            const glm::dvec2 texel = (glm::dvec2(eye) - view.min) / view.texel;
-            mask.set(
-                fmt::format("placement[{}]", i),
-                glm::vec4(glm::vec2(1.0 / view.texel), glm::vec2(texel)));
-        }
+        set_view(mask, views_.front(), camera, filter_border(filter()));
+        for (std::size_t i = 1; i < views_.size(); ++i)
+            mask.set(fmt::format("placement[{}]", i), placement_of(views_[i], camera));
     }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "engine/gpu/pass.hpp"
 #include "systems/shadows/techniques/depth_draws.hpp"
+#include "systems/shadows/techniques/map_uniforms.hpp"
 #include "systems/shadows/techniques/rectangles.hpp"
 #include "systems/shadows/textures/texture_prediction.hpp"
 
@@ -18,13 +19,6 @@ namespace {
 
 /// Texels that stay empty on each side: the edge of what is filtered.
 constexpr int kBorder = 1;
-
-const ReceiverView& receiver_of(const ShadowScene& scene, const Plan& plan) {
-    return *std::find_if(
-        scene.receivers.begin(), scene.receivers.end(), [&](const ReceiverView& receiver) {
-            return receiver.id == plan.receiver;
-        });
-}
 
 /// Where the shadow can be seen: one rectangle round all receivers, or one for each where that is
 /// less to draw. They may overlap: masks take the minimum.
@@ -88,7 +82,7 @@ engine::Result<void> CasterTexture::update(
     reaches_.clear();
     for (const Plan* plan : plans)
         if (const auto reach =
-                swept_reach(light_, casters.bounds, receiver_of(scene, *plan).bounds))
+                swept_reach(light_, casters.bounds, scene.receiver(plan->receiver).bounds))
             reaches_.push_back(*reach);
     DrawnFrom from;
     from.size = size;
@@ -238,29 +232,6 @@ engine::Result<void> CasterTexture::render(
     return {};
 }
 
-void CasterTexture::place(const scene::CameraView& camera) const {
-    const auto size = static_cast<float>(drawn_from_.size);
-    mask_->set("map_size", glm::vec4(size, 1.0F / size, 0.0F, 0.0F));
-    if (const auto* view = std::get_if<ParallelView>(&drawn_from_.view)) {
-        const glm::dvec3 eye = view->light_from(camera.position);
-        const double per_metre = -1.0 / (view->farthest - view->nearest);
-        const glm::dvec2 texel = (glm::dvec2(eye) - view->min) / view->texel;
-        mask_->set("light_from_world", glm::mat3(view->light_from_world));
-        mask_->set(
-            "map_depth",
-            glm::vec4(glm::dvec4(per_metre, (eye.z - view->farthest) * per_metre, 0.0, 0.0)));
-        mask_->set("light_position", glm::vec3(0.0F));
-        mask_->set("placement[0]", glm::vec4(glm::dvec4(1.0 / view->texel, texel)));
-        return;
-    }
-    const auto& view = std::get<PyramidView>(drawn_from_.view);
-    const glm::dvec2 texels = static_cast<double>(view.size) / (view.max - view.min);
-    mask_->set("light_from_world", glm::mat3(view.light_from_world));
-    mask_->set("map_depth", glm::vec4(static_cast<float>(view.near), 0.0F, 0.0F, 0.0F));
-    mask_->set("light_position", glm::vec3(view.position - camera.position));
-    mask_->set("placement[0]", glm::vec4(glm::dvec4(texels, -view.min * texels)));
-}
-
 void CasterTexture::apply(
     gpu::Frame& frame,
     const scene::CameraView& camera,
@@ -273,7 +244,10 @@ void CasterTexture::apply(
     const std::vector<gpu::Rect> areas =
         everywhere ? std::vector{target.area} : areas_of(camera, reaches_, target.area);
     if (areas.empty()) return;
-    place(camera);
+    if (const auto* parallel = std::get_if<ParallelView>(&drawn_from_.view))
+        set_view(*mask_, *parallel, camera, 0);
+    else
+        set_view(*mask_, std::get<PyramidView>(drawn_from_.view), camera);
     receivers_.bind();
     texture_.bind(UNIT_VISIBILITY);
     for (const gpu::Rect& area : areas) {

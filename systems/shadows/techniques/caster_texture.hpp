@@ -92,7 +92,6 @@ private:
         gpu::ShaderLibrary& shaders,
         const gpu::Texture& casters,
         const gpu::Texture* catchers);
-    void place(const scene::CameraView& camera) const;
 
     LightView light_;
     Remedies remedies_;

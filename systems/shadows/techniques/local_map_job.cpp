@@ -1,6 +1,7 @@
 #include "systems/shadows/techniques/local_map_job.hpp"
 
 #include "systems/shadows/maps/map_resolution.hpp"
+#include "systems/shadows/techniques/map_uniforms.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,15 +49,8 @@ LocalMapJob::resolution(const scene::CameraView& camera, const SurfacePoint& poi
 }
 
 void LocalMapJob::place(const gpu::Program& mask, const scene::CameraView& camera) const {
-    const PyramidView& first = views_.front();
-    const auto size = static_cast<float>(first.size);
-    mask.set(
-        "light_from_world", glm::mat3(kind_ == Kind::cube ? cube_turn() : first.light_from_world));
-    mask.set("light_position", glm::vec3(first.position - camera.position));
-    mask.set("map_depth", glm::vec4(static_cast<float>(first.near), 0.0F, 0.0F, 0.0F));
-    mask.set("map_size", glm::vec4(size, 1.0F / size, 0.0F, 0.0F));
-    const glm::dvec2 texels = static_cast<double>(first.size) / (first.max - first.min);
-    mask.set("placement[0]", glm::vec4(glm::vec2(texels), glm::vec2(-first.min * texels)));
+    set_view(mask, views_.front(), camera);
+    if (kind_ == Kind::cube) mask.set("light_from_world", glm::mat3(cube_turn())); // for all faces
 }
 
 } // namespace shadows

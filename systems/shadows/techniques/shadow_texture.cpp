@@ -39,15 +39,12 @@ struct Wanted {
 /// By group of the light.
 std::map<std::uint32_t, Wanted> wanted_by(const ShadowRequest& request) {
     const ShadowScene& scene = request.scene;
-    std::map<std::uint32_t, const ReceiverView*> receivers;
-    for (const ReceiverView& receiver : scene.receivers)
-        receivers[receiver.id] = &receiver;
     std::map<std::uint32_t, Wanted> wanted;
     for (const Plan* plan : request.plans) {
         const PairView pair{
             scene,
             scene.lights[request.light],
-            *receivers.at(plan->receiver),
+            scene.receiver(plan->receiver),
             request.wish,
             plan->budget_px};
         for (const PlanEntry& entry : plan->entries) {
