@@ -28,6 +28,10 @@ struct Rectangle {
         min = glm::min(min, point);
         max = glm::max(max, point);
     }
+    void widen(double by) {
+        min -= by;
+        max += by;
+    }
     [[nodiscard]] glm::dvec2 extent() const { return max - min; }
     [[nodiscard]] glm::dvec2 centre() const { return (min + max) * 0.5; }
 };
@@ -126,9 +130,21 @@ void round_to_floats(ParallelView& view) {
     view.farthest = as_float(view.farthest);
 }
 
+/// Along the light, where something receives. Casters before that are pressed onto its near end, as
+/// long as nobody asks how far away they are: penumbrae do.
+DepthRange needed_depths(const CascadeRequest& request, const Remedies& remedies) {
+    DepthRange depth = along_light(request.light_from_world, request.receivers);
+    if (request.soft > 0.0 && remedies.on(Remedy::soft_true_heights))
+        for (const engine::WorldAabb& caster : request.casters)
+            depth.near = std::min(depth.near, along_light(request.light_from_world, caster).near);
+    const double slack = std::max(depth.far - depth.near, 1e-3) * 1e-3;
+    return {depth.near - slack, depth.far + slack};
+}
+
 /// Across the light, where something casts and something receives.
-Rectangle needed_rectangle(const CascadeRequest& request) {
-    const Rectangle receivers = rectangle_of(request.light_from_world, request.receivers);
+Rectangle needed_rectangle(const CascadeRequest& request, const DepthRange& depth) {
+    Rectangle receivers = rectangle_of(request.light_from_world, request.receivers);
+    receivers.widen(request.soft * (depth.far - depth.near));
     Rectangle casters;
     for (const engine::WorldAabb& caster : request.casters) {
         const Rectangle one = rectangle_of(request.light_from_world, caster);
@@ -140,17 +156,16 @@ Rectangle needed_rectangle(const CascadeRequest& request) {
     return meet ? both : receivers;
 }
 
-ParallelView view_over(const CascadeRequest& request, const Rectangle& rectangle) {
+ParallelView
+view_over(const CascadeRequest& request, const Rectangle& rectangle, const DepthRange& depth) {
     ParallelView view;
     view.light_from_world = request.light_from_world;
     view.size = request.size;
     // Snapping moves the corner by up to a texel.
     view.texel = rectangle.extent() / static_cast<double>(request.size - 1);
     view.min = rectangle.min;
-    const DepthRange depth = along_light(request.light_from_world, request.receivers);
-    const double slack = std::max(depth.far - depth.near, 1e-3) * 1e-3;
-    view.nearest = depth.near - slack;
-    view.farthest = depth.far + slack;
+    view.nearest = depth.near;
+    view.farthest = depth.far;
     return view;
 }
 
@@ -219,12 +234,14 @@ glm::dmat3 light_axes(
 
 std::vector<ParallelView> fit_cascades(const CascadeRequest& request, const Remedies& remedies) {
     std::vector<ParallelView> views;
-    const Rectangle all = needed_rectangle(request);
+    const DepthRange depth = needed_depths(request, remedies);
+    const Rectangle all = needed_rectangle(request, depth);
     double near = static_cast<double>(request.camera.near);
     for (const double far : split_depths(request.range, request.count)) {
         Rectangle rectangle = remedies.on(Remedy::map_constant_size)
                                   ? sphere_rectangle(request, near, far)
                                   : tight_rectangle(request, near, far);
+        rectangle.widen(request.soft * (depth.far - depth.near));
         int whole_axes = 0;
         for (int axis = 0; axis < 2; ++axis) {
             const double whole = stepped_up(std::max(all.extent()[axis], 1e-3));
@@ -233,7 +250,7 @@ std::vector<ParallelView> fit_cascades(const CascadeRequest& request, const Reme
             rectangle.max[axis] = all.centre()[axis] + whole * 0.5;
             ++whole_axes;
         }
-        ParallelView view = view_over(request, rectangle);
+        ParallelView view = view_over(request, rectangle, depth);
         if (remedies.on(Remedy::map_snapped_texels)) snap(view);
         if (!remedies.on(Remedy::map_near_origin)) round_to_floats(view);
         views.push_back(view);

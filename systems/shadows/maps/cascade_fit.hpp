@@ -59,7 +59,8 @@ struct CascadeRequest {
     std::span<const engine::WorldAabb> casters = {}; ///< bounds; where none is, no texel is needed
     DepthRange range;
     int count = 1;
-    int size = 1024; ///< texels per side
+    int size = 1024;   ///< texels per side
+    double soft = 0.0; ///< tangent of the light's angular radius, where penumbrae are looked for
 };
 
 /// From the nearest cascade to the farthest. Where all that casts and receives takes less room than

@@ -35,7 +35,11 @@ void crop(PyramidView& view, std::span<const engine::WorldAabb> boxes) {
 } // namespace
 
 PyramidView spot_view(
-    const LightView& light, std::span<const engine::WorldAabb> casters, int size, int border) {
+    const LightView& light,
+    std::span<const engine::WorldAabb> casters,
+    int size,
+    int border,
+    double reach) {
     const glm::dvec3 forward(light.direction);
     const glm::dvec3 side =
         std::abs(forward.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
@@ -43,7 +47,7 @@ PyramidView spot_view(
     PyramidView view;
     view.position = light.position;
     view.light_from_world = axes_from_rows(right, glm::cross(right, forward), forward);
-    view.max = glm::dvec2(std::tan(static_cast<double>(light.light.outer_angle)));
+    view.max = glm::dvec2(std::tan(static_cast<double>(light.light.outer_angle)) + reach);
     view.min = -view.max;
     view.size = size;
     crop(view, casters);
@@ -58,7 +62,8 @@ glm::dmat3 cube_turn() {
         glm::dvec3(-1.0, 2.0, 2.0) / 3.0);
 }
 
-std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border) {
+std::array<PyramidView, 6>
+cube_views(const glm::dvec3& position, int size, int border, double reach) {
     std::array<PyramidView, 6> views;
     for (int face = 0; face < 6; ++face) {
         const int axis = face / 2;
@@ -74,6 +79,8 @@ std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int 
         view.position = position;
         view.light_from_world = axes_from_rows(right, up, forward) * cube_turn();
         view.size = size;
+        view.max += reach;
+        view.min -= reach;
         grow(view, border);
     }
     return views;

@@ -18,8 +18,13 @@ inline constexpr double kWidestSpot = 1.0471975511965976; // 60 degrees each sid
 /// @param casters bounds of everything that casts
 /// @param size texels per side
 /// @param border texels that filters may read beyond the window
-PyramidView
-spot_view(const LightView& light, std::span<const engine::WorldAabb> casters, int size, int border);
+/// @param reach how far penumbrae may reach beyond it: right and up over forward
+PyramidView spot_view(
+    const LightView& light,
+    std::span<const engine::WorldAabb> casters,
+    int size,
+    int border,
+    double reach = 0.0);
 
 /// The axes of a cube of views, as rows. People build along x, y and z; were texels to lie in rows
 /// along the same axes, whole edges of shadows would be off by up to half a texel, and no filter
@@ -27,8 +32,10 @@ spot_view(const LightView& light, std::span<const engine::WorldAabb> casters, in
 glm::dmat3 cube_turn();
 
 /// Six views with square openings, in the order +x, -x, +y, -y, +z, -z of cube_turn(). Each sees
-/// `border` texels more than a quarter turn, so that filters never look past an edge into nothing.
-std::array<PyramidView, 6> cube_views(const glm::dvec3& position, int size, int border);
+/// `reach` and `border` texels more than a quarter turn, so that filters never look past an edge
+/// into nothing.
+std::array<PyramidView, 6>
+cube_views(const glm::dvec3& position, int size, int border, double reach = 0.0);
 
 /// Whether anything in a box can be seen by a view. Conservative.
 bool sees(const PyramidView& view, const engine::WorldAabb& box);

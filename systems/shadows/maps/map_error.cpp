@@ -12,6 +12,12 @@ namespace shadows {
 
 namespace {
 
+/// Share of a penumbra that its guessed width costs.
+constexpr double kSoftWidthError = 0.02;
+
+/// Look-ups of MapFilter::pcf, each of four texels.
+constexpr double kPcfTaps = (kPcfWidth + 1) * (kPcfWidth + 1) / 4.0;
+
 /// Cosine between a flat receiver and the light; the mean over all directions for other receivers.
 double cosine_at(const PairView& pair) {
     if (!pair.receiver.flat) return 0.7;
@@ -27,20 +33,49 @@ double pixels_per_metre(const PairView& pair) {
     return 1.0 / (typical_distance(camera, pair.receiver.bounds) * camera.pixel_size());
 }
 
-double error_px(MapFilter filter, double footprint_px, double penumbra) {
+/// What a soft filter's texels do: no edge gets sharper than a texel, and neighbours are alike.
+double soft_texel_error_px(double footprint_px, double penumbra) {
+    const double sharpest = ramp_texels(MapFilter::pcss) * footprint_px;
+    return std::max(sharpest - penumbra, 0.0) * 0.25 + 0.1 * footprint_px;
+}
+
+double error_px(MapFilter filter, double footprint_px, double penumbra, int taps) {
     if (penumbra == 0.0) return edge_error_texels(filter) * footprint_px;
+    if (filter == MapFilter::pcss)
+        return soft_texel_error_px(footprint_px, penumbra)
+               + penumbra * (kSoftWidthError + 0.35 * std::pow(taps, -0.75));
     // Two centred ramps. A hard edge for a soft light differs by a quarter of its penumbra.
     return std::abs(ramp_texels(filter) * footprint_px - penumbra) * 0.25;
 }
 
 } // namespace
 
-engine::Result<MapFilter> map_filter(const scene::ShadowWish& wish) {
-    const std::string name = wish.filter.value_or("bilinear");
-    if (name == "nearest") return MapFilter::nearest;
-    if (name == "bilinear") return MapFilter::bilinear;
-    if (name == "pcf") return MapFilter::pcf;
-    return engine::Error{fmt::format("maps cannot be filtered by '{}'", name)};
+int soft_taps(const scene::ShadowWish& wish) {
+    return std::clamp(wish.samples.value_or(kSoftTaps), 4, 256);
+}
+
+bool is_hard(const scene::Light& light) {
+    return light.kind == scene::LightKind::directional ? light.angular_radius == 0.0F
+                                                       : light.radius == 0.0F;
+}
+
+engine::Result<MapFilter>
+map_filter(const PairView& pair, const CasterGroup& casters, double texel_m_of_one) {
+    const bool hard = is_hard(pair.light.light);
+    const auto& name = pair.wish.filter;
+    if (!name) {
+        if (hard) return MapFilter::bilinear;
+        const int size = map_size_for(pair, casters, MapFilter::bilinear, texel_m_of_one);
+        const double footprint = texel_footprint_px(pair, texel_m_of_one) / size;
+        const double error =
+            error_px(MapFilter::bilinear, footprint, penumbra_px(pair, casters), 0);
+        return error > pair.budget_px ? MapFilter::pcss : MapFilter::bilinear;
+    }
+    if (*name == "nearest") return MapFilter::nearest;
+    if (*name == "bilinear") return MapFilter::bilinear;
+    if (*name == "pcf") return MapFilter::pcf;
+    if (*name == "pcss") return hard ? MapFilter::bilinear : MapFilter::pcss;
+    return engine::Error{fmt::format("maps cannot be filtered by '{}'", *name)};
 }
 
 int filter_border(MapFilter filter) {
@@ -48,6 +83,7 @@ int filter_border(MapFilter filter) {
     case MapFilter::nearest:
         return 1;
     case MapFilter::bilinear:
+    case MapFilter::pcss: // beside its penumbra
         return 1;
     case MapFilter::pcf:
         break;
@@ -60,6 +96,7 @@ double filter_reach(MapFilter filter) {
     case MapFilter::nearest:
         return 0.5;
     case MapFilter::bilinear:
+    case MapFilter::pcss:
         return 1.0;
     case MapFilter::pcf:
         break;
@@ -72,6 +109,7 @@ double edge_error_texels(MapFilter filter) {
     case MapFilter::nearest:
         return 0.2422;
     case MapFilter::bilinear:
+    case MapFilter::pcss:
         return 0.332;
     case MapFilter::pcf:
         break;
@@ -84,6 +122,7 @@ double ramp_texels(MapFilter filter) {
     case MapFilter::nearest:
         return 0.0;
     case MapFilter::bilinear:
+    case MapFilter::pcss: // at least
         return 1.33;
     case MapFilter::pcf:
         break;
@@ -115,25 +154,37 @@ int map_size_for(
     if (pair.wish.map_size) return *pair.wish.map_size;
     const double penumbra = penumbra_px(pair, casters);
     const double footprint = texel_footprint_px(pair, texel_m_of_one);
+    // More texels do not make up for a penumbra that is missing, or for too few taps.
+    const auto is_coarse = [&](double texel_px) {
+        if (filter == MapFilter::pcss)
+            return soft_texel_error_px(texel_px, penumbra) > 0.5 * pair.budget_px;
+        return error_px(filter, texel_px, penumbra, 0) > pair.budget_px;
+    };
     int size = kSmallestMap;
-    while (size < kLargestMap && error_px(filter, footprint / size, penumbra) > pair.budget_px)
+    while (size < kLargestMap && is_coarse(footprint / size))
         size *= 2;
     return size;
 }
 
-Prediction predict_map(
-    const PairView& pair,
-    const CasterGroup& casters,
-    MapFilter filter,
-    double texel_m_of_one,
-    int layers) {
+engine::Result<Prediction>
+predict_map(const PairView& pair, const CasterGroup& casters, double texel_m_of_one, int layers) {
+    const auto wished = map_filter(pair, casters, texel_m_of_one);
+    if (!wished) return wished.error();
+    const MapFilter filter = *wished;
     const int size = map_size_for(pair, casters, filter, texel_m_of_one);
     const double footprint = texel_footprint_px(pair, texel_m_of_one) / size;
+    const double penumbra = penumbra_px(pair, casters);
+    const int taps = soft_taps(pair.wish);
+    const ShadowFootprint shadow = shadow_footprint(pair, casters);
+    const double area = screen_area_px(pair.scene.camera, pair.receiver.bounds);
     Prediction prediction;
-    prediction.error_px = error_px(filter, footprint, penumbra_px(pair, casters));
-    prediction.error_area_px = prediction.error_px * shadow_footprint(pair, casters).length_px;
-    const double taps = filter == MapFilter::pcf ? (kPcfWidth + 1) * (kPcfWidth + 1) / 4 : 1;
-    prediction.cost.taps = taps * screen_area_px(pair.scene.camera, pair.receiver.bounds);
+    prediction.error_px = error_px(filter, footprint, penumbra, taps);
+    prediction.error_area_px = prediction.error_px * shadow.length_px;
+    prediction.cost.taps = area * (filter == MapFilter::pcf ? kPcfTaps : 1);
+    if (filter == MapFilter::pcss) // All look for blockers, and what finds one looks again.
+        prediction.cost.taps =
+            area * search_taps(taps)
+            + std::min(area, shadow.area_px + 0.5 * penumbra * shadow.length_px) * taps;
     prediction.cost.vertices = static_cast<double>(casters.triangles) * 1.5;
     // Clearing and filling are shared by every pair of the light.
     prediction.cost.map_texels = static_cast<double>(size) * size * layers

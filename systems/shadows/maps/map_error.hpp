@@ -6,18 +6,32 @@
 #include "systems/shadows/pairs.hpp"
 #include "systems/shadows/plan.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace shadows {
 
-enum class MapFilter : std::uint8_t { nearest, bilinear, pcf };
+enum class MapFilter : std::uint8_t { nearest, bilinear, pcf, pcss };
 
 inline constexpr int kSmallestMap = 256;
 inline constexpr int kLargestMap = 4096;
 inline constexpr int kPcfWidth = 3; ///< bilinear taps per side of MapFilter::pcf
 
-/// Errors: a filter that maps do not have.
-engine::Result<MapFilter> map_filter(const scene::ShadowWish& wish);
+/// Looks at the light that MapFilter::pcss filters with, and at what may block it on the way.
+inline constexpr int kSoftTaps = 32;
+constexpr int search_taps(int soft_taps) {
+    return std::max(soft_taps / 2, 2);
+}
+int soft_taps(const scene::ShadowWish& wish);
+
+/// Whether a light has no size: its edges are hard, and MapFilter::pcss has nothing to do.
+bool is_hard(const scene::Light& light);
+
+/// How the pair's map is read: as was wished; where nothing was, by the cheapest filter that keeps
+/// the budget. Errors: a filter that maps do not have.
+/// @param texel_m_of_one as of predict_map()
+engine::Result<MapFilter>
+map_filter(const PairView& pair, const CasterGroup& casters, double texel_m_of_one);
 
 /// Texels that the filter reads beyond the one it looks up.
 int filter_border(MapFilter filter);
@@ -41,15 +55,11 @@ double texel_footprint_px(const PairView& pair, double texel_m);
 /// Width of the light's penumbra on the receiver, pixels; 0 for hard lights.
 double penumbra_px(const PairView& pair, const CasterGroup& casters);
 
-/// What a map would do for a pair.
+/// What a map would do for a pair. Errors: those of map_filter().
 /// @param texel_m_of_one texel size at the receiver of a map with a single texel per side, metres
 /// @param layers of the map that the pair's light needs
-Prediction predict_map(
-    const PairView& pair,
-    const CasterGroup& casters,
-    MapFilter filter,
-    double texel_m_of_one,
-    int layers);
+engine::Result<Prediction>
+predict_map(const PairView& pair, const CasterGroup& casters, double texel_m_of_one, int layers);
 
 /// Texels per side: what was asked for, else the least power of two that keeps the pair's budget.
 int map_size_for(

@@ -24,8 +24,8 @@ layout(location = 0) out float visibility;
 
 #ifdef PARALLEL
 // Texels between a place and the nearest border that filters may not pass; negative outside.
-float depth_inside(MapInputs map, vec2 texel) {
-    vec2 inside = min(texel, map.size.x - texel) - map.size.w;
+float depth_inside(MapInputs map, vec4 placement, vec2 texel) {
+    vec2 inside = min(texel, map.size.x - texel) - map.size.w - map.size.z * placement.xy;
     return min(inside.x, inside.y);
 }
 
@@ -35,9 +35,9 @@ float light_at(MapInputs map, Receiver receiver) {
     vec4 placement = map.placement[LAST];
     vec4 next_placement = placement;
     float layer = float(LAST);
-    float inside = depth_inside(map, texel_in(seen, placement));
+    float inside = depth_inside(map, placement, texel_in(seen, placement));
     for (int finer = LAST - 1; finer >= 0; --finer) {
-        float inside_finer = depth_inside(map, texel_in(seen, map.placement[finer]));
+        float inside_finer = depth_inside(map, map.placement[finer], texel_in(seen, map.placement[finer]));
         bool better = inside_finer >= 0.0;
         next_placement = better ? placement : next_placement;
         placement = better ? map.placement[finer] : placement;

@@ -11,7 +11,8 @@ uniform vec3 light_position; // pyramid: relative to the camera
 // Texels per metre along right and up, and the texel of the camera; of a pyramid: per right and up over forward, and the
 // texel straight ahead.
 uniform vec4 placement[MAP_LAYERS];
-uniform vec4 map_size; // texels per side, one over that, 0, texels of border
+uniform vec4 map_size; // texels per side, one over that, parallel: metres of border, texels of border
+uniform vec2 light_source; // radius of the light, in the unit of right and up, per depth; nearest depth of a caster
 
 noperspective out vec3 ray; // divided by depth: the position, relative space
 flat out MapInputs map;
@@ -27,6 +28,7 @@ void main() {
     map.light = light_position;
     map.depth = map_depth;
     map.size = map_size;
+    map.source = light_source;
     for (int i = 0; i < MAP_LAYERS; ++i)
         map.placement[i] = placement[i];
 }

@@ -10,8 +10,10 @@
 #include "systems/shadows/techniques/map_uniforms.hpp"
 
 #include <fmt/format.h>
+#include <glm/gtx/component_wise.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shadows {
 
@@ -68,16 +70,18 @@ public:
     resolution(const scene::CameraView& camera, const SurfacePoint& point) const override {
         // As light_at of map_mask.frag: the finest cascade that holds the point, and its last tenth
         // fades into the next.
-        const double border = filter_border(filter());
+        const auto inside = [&](const ParallelView& view) {
+            const double border = filter_border(filter()) + soft_reach() / glm::compMin(view.texel);
+            return texels_inside(view, point.position) - border;
+        };
         const std::size_t last = views_.size() - 1;
         std::size_t layer = 0;
-        while (layer < last && texels_inside(views_[layer], point.position) < border)
+        while (layer < last && inside(views_[layer]) < 0.0)
             ++layer;
         const ParallelView& view = views_[layer];
         const double reach = filter_reach(filter());
         const Resolution finest = on_screen(camera, point, texel_at(view, point, reach));
-        const bool fades =
-            texels_inside(view, point.position) - border < 0.1 * static_cast<double>(view.size);
+        const bool fades = inside(view) < 0.1 * static_cast<double>(view.size);
         if (layer == last || !fades) return finest;
         return coarser(finest, on_screen(camera, point, texel_at(views_[layer + 1], point, reach)));
     }
@@ -96,9 +100,8 @@ protected:
     [[nodiscard]] bool reaches(int layer, const engine::WorldAabb& caster) const override {
         return shadows::reaches(views_[static_cast<std::size_t>(layer)], caster);
     }
-    [[nodiscard]] int size_for(const PairView& pair, const CasterGroup& casters) const override {
-        const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
-        return map_size_for(pair, casters, filter(), texel_of_one(pair, layout));
+    [[nodiscard]] double texel_m_of_one(const PairView& pair) const override {
+        return texel_of_one(pair, layout_of(pair.scene, pair.wish, std::nullopt));
     }
     [[nodiscard]] gpu::Defines mask_defines() const override {
         gpu::Defines defines = {"PARALLEL", fmt::format("MAP_LAYERS={}", layers())};
@@ -110,9 +113,19 @@ protected:
         set_view(mask, views_.front(), camera, filter_border(filter()));
         for (std::size_t i = 1; i < views_.size(); ++i)
             mask.set(fmt::format("placement[{}]", i), placement_of(views_[i], camera));
+        mask.set("light_source", glm::vec2(static_cast<float>(soft_reach()), 1.0F));
     }
 
 private:
+    /// How far a penumbra may reach across the light, metres: from the nearest end of the map to
+    /// the farthest.
+    [[nodiscard]] double soft_reach() const {
+        return soft_tangent() * (views_.front().farthest - views_.front().nearest);
+    }
+    [[nodiscard]] double soft_tangent() const {
+        if (filter() != MapFilter::pcss) return 0.0;
+        return std::tan(static_cast<double>(light().light.angular_radius));
+    }
     [[nodiscard]] CascadeRequest requested(const ShadowRequest& request) const {
         const Layout layout = layout_of(request.scene, request.wish, range_);
         return {
@@ -122,7 +135,8 @@ private:
             caster_bounds(),
             layout.range,
             layout.count,
-            size_};
+            size_,
+            soft_tangent()};
     }
 
     int size_ = 0;
@@ -143,10 +157,8 @@ public:
     predict(const PairView& pair, const CasterGroup& casters) const override {
         if (pair.light.light.kind != scene::LightKind::directional)
             return engine::Error{"it serves directional lights"};
-        const auto filter = map_filter(pair.wish);
-        if (!filter) return filter.error();
         const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
-        return predict_map(pair, casters, *filter, texel_of_one(pair, layout), layout.count);
+        return predict_map(pair, casters, texel_of_one(pair, layout), layout.count);
     }
 
     [[nodiscard]] std::unique_ptr<ShadowJob> start() const override {

@@ -19,9 +19,7 @@ public:
     predict(const PairView& pair, const CasterGroup& casters) const override {
         if (pair.light.light.kind == scene::LightKind::directional)
             return engine::Error{"it serves point and spot lights"};
-        const auto filter = map_filter(pair.wish);
-        if (!filter) return filter.error();
-        return predict_map(pair, casters, *filter, pyramid_texel_of_one(pair, 1.0), 6);
+        return predict_map(pair, casters, pyramid_texel_of_one(pair, 1.0), 6);
     }
 
     [[nodiscard]] std::unique_ptr<ShadowJob> start() const override {

@@ -28,13 +28,16 @@ protected:
     [[nodiscard]] bool reaches(int layer, const engine::WorldAabb& caster) const override {
         return sees(views_[static_cast<std::size_t>(layer)], caster);
     }
-    [[nodiscard]] int size_for(const PairView& pair, const CasterGroup& casters) const override;
+    [[nodiscard]] double texel_m_of_one(const PairView& pair) const override;
     [[nodiscard]] gpu::Defines mask_defines() const override {
         return {kind_ == Kind::spot ? "SPOT" : "CUBE", "MAP_LAYERS=1"};
     }
     void place(const gpu::Program& mask, const scene::CameraView& camera) const override;
 
 private:
+    /// From the light to the nearest blocker that penumbrae know of, metres.
+    [[nodiscard]] double nearest_blocker() const;
+
     Kind kind_;
     std::vector<PyramidView> views_;
 };

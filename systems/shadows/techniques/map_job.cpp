@@ -24,9 +24,18 @@ std::string filter_define(MapFilter filter) {
     case MapFilter::bilinear:
         return "FILTER_BILINEAR";
     case MapFilter::pcf:
+        return "FILTER_PCF";
+    case MapFilter::pcss:
         break;
     }
-    return "FILTER_PCF";
+    return "FILTER_PCSS";
+}
+
+/// At most.
+std::uint64_t looks_per_pixel(MapFilter filter, int soft_taps) {
+    if (filter == MapFilter::pcf) return 4;
+    if (filter != MapFilter::pcss) return 1;
+    return static_cast<std::uint64_t>(search_taps(soft_taps) + soft_taps);
 }
 
 } // namespace
@@ -45,9 +54,7 @@ engine::Result<void> MapJob::update(const ShadowRequest& request) {
     remedies_ = request.remedies;
     serves_all_ = request.serves_all;
     camera_ = request.scene.camera;
-    const auto filter = map_filter(request.wish);
-    if (!filter) return filter.error();
-    filter_ = *filter;
+    soft_taps_ = soft_taps(request.wish);
     casters_.clear();
     bounds_.clear();
     for (const std::uint32_t group : groups_of(request, technique_)) {
@@ -58,20 +65,41 @@ engine::Result<void> MapJob::update(const ShadowRequest& request) {
     std::sort(casters_.begin(), casters_.end());
     receivers_.assign(request.plans, request.receiver_end);
     served_ = {};
-    int size = kSmallestMap;
-    for (const Plan* plan : request.plans) {
-        const ReceiverView& receiver = request.scene.receiver(plan->receiver);
-        served_.grow(receiver.bounds);
-        if (request.wish.map_size) continue;
-        const PairView pair{request.scene, light_, receiver, request.wish, plan->budget_px};
-        for (const PlanEntry& entry : plan->entries)
-            if (entry.technique == technique_)
-                for (const std::uint32_t group : entry.caster_groups)
-                    size = std::max(size, size_for(pair, request.groups[group]));
-    }
-    size_ = request.wish.map_size.value_or(size);
+    for (const Plan* plan : request.plans)
+        served_.grow(request.scene.receiver(plan->receiver).bounds);
+    if (auto chosen = choose(request); !chosen) return chosen;
     fit(request, size_);
     return {};
+}
+
+engine::Result<void> MapJob::choose(const ShadowRequest& request) {
+    filter_ = MapFilter::nearest;
+    size_ = kSmallestMap;
+    for (const Plan* plan : request.plans) {
+        const ReceiverView& receiver = request.scene.receiver(plan->receiver);
+        const PairView pair{request.scene, light_, receiver, request.wish, plan->budget_px};
+        const double texel_m = texel_m_of_one(pair);
+        for (const PlanEntry& entry : plan->entries) {
+            if (entry.technique != technique_) continue;
+            for (const std::uint32_t group : entry.caster_groups) {
+                const CasterGroup& casters = request.groups[group];
+                const auto filter = map_filter(pair, casters, texel_m);
+                if (!filter) return filter.error();
+                filter_ = std::max(filter_, *filter);
+                size_ = std::max(size_, map_size_for(pair, casters, *filter, texel_m));
+            }
+        }
+    }
+    size_ = request.wish.map_size.value_or(size_);
+    return {};
+}
+
+void MapJob::add_soft_defines(gpu::Defines& defines) const {
+    defines.push_back(fmt::format("FILTER_TAPS={}", soft_taps_));
+    defines.push_back(fmt::format("SEARCH_TAPS={}", search_taps(soft_taps_)));
+    if (!remedies_.on(Remedy::soft_scaled_search)) defines.emplace_back("SHORT_SEARCH");
+    if (!remedies_.on(Remedy::soft_clusters)) defines.emplace_back("ONE_CLUSTER");
+    if (!remedies_.on(Remedy::soft_width)) defines.emplace_back("ONE_WIDTH");
 }
 
 engine::Result<void> MapJob::resize() {
@@ -103,7 +131,8 @@ MapJob::render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geo
         if (auto drawn = render_layer(frame, shaders, geometry, layer); !drawn) return drawn;
     gpu::Defines defines = mask_defines();
     defines.push_back(filter_define(filter_));
-    defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
+    if (filter_ == MapFilter::pcf) defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
+    if (filter_ == MapFilter::pcss) add_soft_defines(defines);
     if (serves_all_) defines.emplace_back("EVERY_RECEIVER");
     if (!remedies_.on(Remedy::map_receiver_plane)) defines.emplace_back("FLAT_DEPTH");
     if (!remedies_.on(Remedy::map_open_creases)) defines.emplace_back("CLOSED_CREASES");
@@ -175,7 +204,7 @@ void MapJob::apply(
     const auto pixels =
         static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
     frame.counters().mask_fragments += pixels;
-    frame.counters().taps += filter_ == MapFilter::pcf ? pixels * 4 : pixels;
+    frame.counters().taps += pixels * looks_per_pixel(filter_, soft_taps_);
 }
 
 } // namespace shadows

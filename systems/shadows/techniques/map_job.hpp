@@ -37,8 +37,8 @@ protected:
     [[nodiscard]] virtual glm::dmat4 map_from_world(int layer) const = 0;
     /// Whether a caster can darken anything that the layer holds.
     [[nodiscard]] virtual bool reaches(int layer, const engine::WorldAabb& caster) const = 0;
-    /// Texels per side that a plan of this job needs.
-    [[nodiscard]] virtual int size_for(const PairView& pair, const CasterGroup& casters) const = 0;
+    /// Texel of a map with a single texel per side at the pair's receiver, metres.
+    [[nodiscard]] virtual double texel_m_of_one(const PairView& pair) const = 0;
     /// What map_mask.frag is compiled for, besides the filter.
     [[nodiscard]] virtual gpu::Defines mask_defines() const = 0;
     /// The uniforms of map_mask.vert that depend on the kind.
@@ -57,6 +57,9 @@ private:
         std::unique_ptr<render::DrawRuns> draws;
     };
 
+    /// What the most demanding plan needs: a filter and texels per side.
+    engine::Result<void> choose(const ShadowRequest& request);
+    void add_soft_defines(gpu::Defines& defines) const;
     engine::Result<void> resize();
     engine::Result<void> render_layer(
         gpu::Frame& frame,
@@ -69,6 +72,7 @@ private:
     Remedies remedies_;
     MapFilter filter_ = MapFilter::bilinear;
     bool serves_all_ = false;
+    int soft_taps_ = kSoftTaps;
     int size_ = 0;
     std::vector<std::uint32_t> casters_; ///< ids, rising
     std::vector<engine::WorldAabb> bounds_;

@@ -28,9 +28,7 @@ public:
                 "the cone opens {:.0f} degrees to each side, more than {:.0f}",
                 glm::degrees(angle),
                 glm::degrees(kWidestSpot))};
-        const auto filter = map_filter(pair.wish);
-        if (!filter) return filter.error();
-        return predict_map(pair, casters, *filter, pyramid_texel_of_one(pair, std::tan(angle)), 1);
+        return predict_map(pair, casters, pyramid_texel_of_one(pair, std::tan(angle)), 1);
     }
 
     [[nodiscard]] std::unique_ptr<ShadowJob> start() const override {

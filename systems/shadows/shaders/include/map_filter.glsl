@@ -1,6 +1,7 @@
 // Reads a map: how much of the light passes at a place.
 //
-// FILTER_NEAREST, FILTER_BILINEAR (2 x 2 texels), or FILTER_PCF: the mean of PCF_WIDTH x PCF_WIDTH bilinear taps.
+// FILTER_NEAREST, FILTER_BILINEAR (2 x 2 texels), FILTER_PCF: the mean of PCF_WIDTH x PCF_WIDTH bilinear taps, or
+// FILTER_PCSS: as wide as the light's penumbra, see map_soft.glsl.
 
 #include "render/shared/bindings.h"
 #include "shadows/shared/receivers.h"
@@ -22,16 +23,23 @@ float plane_depth(MapPlace at, vec2 texel) {
 #endif
 }
 
-// Four texels whose lower left one has its centre at `texel`: 1 where the light passes. Lower left, lower right, upper
+// 1 where the light passes four texels whose lower left one has its centre at `texel`. Lower left, lower right, upper
 // left, upper right.
-vec4 passes(MapPlace at, vec2 texel, float per_map) {
-    vec4 stored = textureGather(shadow_map, vec3((texel + 0.5) * per_map, at.layer)).wzxy;
+// @param stored what the map holds there
+vec4 passes_at(MapPlace at, vec2 texel, vec4 stored) {
     vec4 receiver = vec4(
         plane_depth(at, texel),
         plane_depth(at, texel + vec2(1.0, 0.0)),
         plane_depth(at, texel + vec2(0.0, 1.0)),
         plane_depth(at, texel + vec2(1.0, 1.0)));
     return step(stored, receiver);
+}
+
+#ifdef FILTER_PCSS
+#include "shadows/include/map_soft.glsl"
+#else
+vec4 passes(MapPlace at, vec2 texel, float per_map) {
+    return passes_at(at, texel, textureGather(shadow_map, vec3((texel + 0.5) * per_map, at.layer)).wzxy);
 }
 
 // @param per_map one over the texels per side
@@ -65,3 +73,4 @@ float light_through(MapPlace at, float per_map) {
 #endif
 #endif
 }
+#endif

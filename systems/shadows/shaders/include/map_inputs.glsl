@@ -9,5 +9,6 @@ struct MapInputs {
     vec3 light; // pyramid: position of the light, relative space
     vec4 depth;
     vec4 size;
+    vec2 source; // texels over placement of the light's edge, per depth; depth of what may lie nearest to the light
     vec4 placement[MAP_LAYERS];
 };

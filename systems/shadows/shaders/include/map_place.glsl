@@ -19,6 +19,8 @@ struct MapPlace {
     vec2 slope; // depth per texel along the receiver
     float slack; // depth that rounding may take away
     float rise; // depth that another lit surface, meeting this one in a crease, may rise per texel
+    mat2 light; // texels from here to where the light's edge is seen through a blocker, per depth above the receiver
+    float highest; // depth of what may lie nearest to the light
 };
 
 // Rounding of a plane's normal and position, and the bend from a triangle to the next: below what any filter shows.
@@ -76,6 +78,8 @@ MapPlace place_parallel(MapInputs map, Receiver receiver, Across seen, vec4 plac
     float largest = max(-depth_per_texel.x, -depth_per_texel.y);
     at.slack = slack_of(receiver, largest, at.slope);
     at.rise = CREASE_TANGENT * largest;
+    at.light = mat2(placement.x, 0.0, 0.0, placement.y) * map.source.x;
+    at.highest = map.source.y;
     return at;
 }
 #else
@@ -101,6 +105,11 @@ MapPlace place_pyramid(MapInputs map, Receiver receiver, float layer) {
     float largest = max(per_texel.x, per_texel.y) * at.depth;
     at.slack = slack_of(receiver, largest, at.slope);
     at.rise = CREASE_TANGENT * largest;
+    // A sphere off the axis is seen as an ellipse: longer away from the axis.
+    float away = dot(over_forward, over_forward);
+    mat2 ellipse = mat2(1.0) + outerProduct(over_forward, over_forward) / (1.0 + sqrt(1.0 + away));
+    at.light = mat2(place.x, 0.0, 0.0, place.y) * ellipse * map.source.x;
+    at.highest = map.source.y;
     return at;
 }
 #endif

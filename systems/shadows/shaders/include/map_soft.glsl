@@ -1,0 +1,148 @@
+// Penumbrae from one map: how much of a light of a size passes at a place.
+//
+// A point of the light, given on its unit disc, is seen from the receiver through the texel at disc x depth x MapPlace's
+// `light`, where depth is how far a blocker lies above the receiver: for parallel and perspective rays alike, as depth is
+// an affine function of one over the distance there. So a blocker takes light away just where it lies inside the cone
+// between the receiver and the light, and each blocker that is found says how wide its penumbra is.
+//
+// Two blockers at different heights have a wide penumbra and a narrow one. Their mean would be too sharp for the one and
+// too soft for the other, so they are told apart by height, filtered on their own and multiplied; the lower one is
+// filtered where the higher one does not hide it.
+//
+// Source of the idea: R. Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005. Cone and clusters are ours.
+
+const float GOLDEN_ANGLE = 2.39996323;
+
+// Heights whose ratio is larger than this are two clusters.
+const float CLUSTER_RATIO = 2.0;
+// What counts as inside the cone: this much of the height that is needed there.
+const float NEEDED_HEIGHT = 0.5;
+
+// Interleaved gradient noise. Source: J. Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014.
+float noise_at(vec2 pixel) {
+    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+}
+
+mat2 turn_by(float angle) {
+    float c = cos(angle);
+    float s = sin(angle);
+    return mat2(c, s, -s, c);
+}
+
+// Depth above the receiver of four texels whose lower left one has its centre at `texel`; 0 where the light passes.
+vec4 heights(MapPlace at, vec2 texel, float per_map) {
+    vec4 stored = textureGather(shadow_map, vec3((texel + 0.5) * per_map, at.layer)).wzxy;
+    return (stored - at.depth) * (1.0 - passes_at(at, texel, stored));
+}
+
+struct Blockers {
+    float lowest; // heights
+    float highest;
+    float split; // between the clusters; 0 where there is one
+    float low; // means of the clusters; of all where there is one
+    float high;
+};
+
+// Looks for blockers inside the cone. Distances rise half evenly, half in geometric series from a texel on, because
+// nothing is known of the heights yet.
+Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
+    float texel_height = 1.0 / at.light[0][0];
+    float reach = max(at.highest - at.depth, texel_height);
+#ifdef SHORT_SEARCH
+    reach = min(reach, 4.0 * texel_height);
+#endif
+    float octaves = log2(1.0 + reach / texel_height);
+    const mat2 NEXT = turn_by(GOLDEN_ANGLE);
+    float found[SEARCH_TAPS];
+    Blockers blockers = Blockers(1e30, 0.0, 0.0, 0.0, 0.0);
+    float sum = 0.0;
+    float count = 0.0;
+    for (int i = 0; i < SEARCH_TAPS; ++i) {
+        float share = float(i) / float(SEARCH_TAPS - 1);
+        float height = 0.5 * (reach * share + (exp2(octaves * share) - 1.0) * texel_height);
+        vec2 texel = floor(at.texel + at.light * turn * height) + 0.5;
+        float stored = textureLod(shadow_map, vec3(texel * per_map, at.layer), 0.0).r;
+        float above = stored > plane_depth(at, texel) ? stored - at.depth : 0.0;
+        // Some outside the cone, too: a few looks may miss what is inside.
+        found[i] = above + texel_height >= NEEDED_HEIGHT * height ? above : 0.0;
+        if (found[i] > 0.0) {
+            blockers.lowest = min(blockers.lowest, above);
+            blockers.highest = max(blockers.highest, above);
+            sum += above;
+            count += 1.0;
+        }
+        turn = NEXT * turn;
+    }
+    if (count == 0.0) return blockers;
+    blockers.high = sum / count;
+#ifndef ONE_CLUSTER
+    if (blockers.highest <= blockers.lowest * CLUSTER_RATIO) return blockers;
+    blockers.split = sqrt(blockers.lowest * blockers.highest);
+    vec2 sums = vec2(0.0);
+    vec2 counts = vec2(0.0);
+    for (int i = 0; i < SEARCH_TAPS; ++i) {
+        if (found[i] == 0.0) continue;
+        bool high = found[i] > blockers.split;
+        sums += high ? vec2(0.0, found[i]) : vec2(found[i], 0.0);
+        counts += high ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+    }
+    blockers.low = sums.x / counts.x;
+    blockers.high = sums.y / counts.y;
+#endif
+    return blockers;
+}
+
+// What a filter finds, as shares of the light.
+struct Filtered {
+    float closed; // by blockers between two heights
+    float lower; // where a blocker lies too low to count
+    float seen; // where nothing higher hides what lies between
+};
+
+// @param height of the blockers: sets the width
+Filtered filter_between(MapPlace at, float per_map, float height, float above, float up_to, vec2 turn) {
+    const mat2 NEXT = turn_by(GOLDEN_ANGLE);
+    Filtered sum = Filtered(0.0, 0.0, 0.0);
+    for (int i = 0; i < FILTER_TAPS; ++i) {
+        float way = sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * height;
+        vec2 texel = at.texel + at.light * turn * way;
+        vec2 first = floor(texel - 0.5) + 0.5;
+        vec2 part = texel - first;
+        vec4 found = heights(at, first, per_map);
+        vec2 row = vec2(1.0 - part.x, part.x);
+        vec4 seen = vec4(row * (1.0 - part.y), row * part.y) * step(found, vec4(up_to));
+        vec4 counts = 1.0 - step(found, vec4(max(above, NEEDED_HEIGHT * way)));
+        sum.closed += dot(seen, counts);
+        sum.lower += dot(seen, sign(found) * (1.0 - counts));
+        sum.seen += dot(seen, vec4(1.0));
+        turn = NEXT * turn;
+    }
+    const float SHARE = 1.0 / float(FILTER_TAPS);
+    return Filtered(sum.closed * SHARE, sum.lower * SHARE, sum.seen * SHARE);
+}
+
+// @param per_map one over the texels per side
+float light_through(MapPlace at, float per_map) {
+    float angle = 6.2831853 * noise_at(gl_FragCoord.xy);
+    vec2 turn = vec2(cos(angle), sin(angle));
+    Blockers blockers = find_blockers(at, per_map, turn);
+    if (blockers.highest == 0.0) return 1.0;
+    const float EVERYTHING = 1e30;
+#ifdef ONE_WIDTH
+    blockers.split = 0.0;
+    blockers.high = 4.0 / at.light[0][0];
+#endif
+    Filtered high = filter_between(at, per_map, blockers.high, blockers.split, EVERYTHING, turn);
+    float lit = 1.0 - high.closed;
+#ifndef ONE_CLUSTER
+    if (lit > 0.0 && (blockers.split > 0.0 || high.lower > 0.0)) {
+        float up_to = blockers.split > 0.0 ? blockers.split : blockers.lowest / CLUSTER_RATIO;
+        Filtered low = filter_between(at, per_map, blockers.low, 0.0, up_to, turn);
+        // Where the low ones are hidden, they are as they are where the high ones end.
+        float hidden = 1.0 - high.lower / lit;
+        float measured = low.seen > 0.0 ? 1.0 - low.closed / low.seen : hidden;
+        lit *= mix(hidden, measured, low.seen);
+    }
+#endif
+    return lit;
+}
