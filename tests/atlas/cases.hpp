@@ -16,6 +16,7 @@ std::vector<Case> control_cases();
 std::vector<Case> blob_cases();
 std::vector<Case> map_cases();
 std::vector<Case> planar_cases();
+std::vector<Case> soft_cases();
 std::vector<Case> texture_cases();
 std::vector<Case> volume_cases();
 
@@ -26,6 +27,7 @@ inline std::vector<Case> all_cases() {
           blob_cases(),
           map_cases(),
           planar_cases(),
+          soft_cases(),
           texture_cases(),
           volume_cases()})
         cases.insert(cases.end(), some.begin(), some.end());
