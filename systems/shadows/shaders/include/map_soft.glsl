@@ -18,6 +18,10 @@ const float CLUSTER_RATIO = 2.0;
 // What counts as inside the cone: this much of the height that is needed there.
 const float NEEDED_HEIGHT = 0.5;
 
+// Where a low blocker is seen beside a high one it is guessed to go on behind it. It may as well be a wall beside the
+// receiver, that takes no light from it: this much of CREASE_TANGENT tells them apart.
+const float GENTLE_CREASE = 0.25;
+
 // Interleaved gradient noise. Source: J. Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014.
 float noise_at(vec2 pixel) {
     return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
@@ -27,12 +31,6 @@ mat2 turn_by(float angle) {
     float c = cos(angle);
     float s = sin(angle);
     return mat2(c, s, -s, c);
-}
-
-// Depth above the receiver of four texels whose lower left one has its centre at `texel`; 0 where the light passes.
-vec4 heights(MapPlace at, vec2 texel, float per_map) {
-    vec4 stored = textureGather(shadow_map, vec3((texel + 0.5) * per_map, at.layer)).wzxy;
-    return (stored - at.depth) * (1.0 - passes_at(at, texel, stored));
 }
 
 struct Blockers {
@@ -95,30 +93,39 @@ Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
 // What a filter finds, as shares of the light.
 struct Filtered {
     float closed; // by blockers between two heights
-    float lower; // where a blocker lies too low to count
     float seen; // where nothing higher hides what lies between
+    float low; // where lower blockers are seen, the nearest first
+    float open; // where nothing is, the nearest first
 };
 
 // @param height of the blockers: sets the width
 Filtered filter_between(MapPlace at, float per_map, float height, float above, float up_to, vec2 turn) {
     const mat2 NEXT = turn_by(GOLDEN_ANGLE);
-    Filtered sum = Filtered(0.0, 0.0, 0.0);
+    MapPlace gentle = at;
+    gentle.rise *= GENTLE_CREASE;
+    float texel_height = 1.0 / at.light[0][0];
+    Filtered sum = Filtered(0.0, 0.0, 0.0, 0.0);
     for (int i = 0; i < FILTER_TAPS; ++i) {
         float way = sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * height;
         vec2 texel = at.texel + at.light * turn * way;
         vec2 first = floor(texel - 0.5) + 0.5;
         vec2 part = texel - first;
-        vec4 found = heights(at, first, per_map);
+        vec4 stored = textureGather(shadow_map, vec3((first + 0.5) * per_map, at.layer)).wzxy;
+        // Depth above the receiver; 0 where the light passes.
+        vec4 found = (stored - at.depth) * (1.0 - passes_at(at, first, stored));
         vec2 row = vec2(1.0 - part.x, part.x);
         vec4 seen = vec4(row * (1.0 - part.y), row * part.y) * step(found, vec4(up_to));
         vec4 counts = 1.0 - step(found, vec4(max(above, NEEDED_HEIGHT * way)));
         sum.closed += dot(seen, counts);
-        sum.lower += dot(seen, sign(found) * (1.0 - counts));
         sum.seen += dot(seen, vec4(1.0));
+        float near = texel_height * texel_height / (way * way + texel_height * texel_height);
+        vec4 open = passes_at(gentle, first, stored);
+        sum.low += near * dot(seen, (1.0 - open) * (1.0 - counts));
+        sum.open += near * dot(seen, open);
         turn = NEXT * turn;
     }
     const float SHARE = 1.0 / float(FILTER_TAPS);
-    return Filtered(sum.closed * SHARE, sum.lower * SHARE, sum.seen * SHARE);
+    return Filtered(sum.closed * SHARE, sum.seen * SHARE, sum.low, sum.open);
 }
 
 // @param per_map one over the texels per side
@@ -135,11 +142,12 @@ float light_through(MapPlace at, float per_map) {
     Filtered high = filter_between(at, per_map, blockers.high, blockers.split, EVERYTHING, turn);
     float lit = 1.0 - high.closed;
 #ifndef ONE_CLUSTER
-    if (lit > 0.0 && (blockers.split > 0.0 || high.lower > 0.0)) {
+    if (lit > 0.0 && (blockers.split > 0.0 || high.low > 0.0)) {
         float up_to = blockers.split > 0.0 ? blockers.split : blockers.lowest / CLUSTER_RATIO;
         Filtered low = filter_between(at, per_map, blockers.low, 0.0, up_to, turn);
         // Where the low ones are hidden, they are as they are where the high ones end.
-        float hidden = 1.0 - high.lower / lit;
+        float all = high.open + high.low;
+        float hidden = all > 0.0 ? high.open / all : 1.0;
         float measured = low.seen > 0.0 ? 1.0 - low.closed / low.seen : hidden;
         lit *= mix(hidden, measured, low.seen);
     }
