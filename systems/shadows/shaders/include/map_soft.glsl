@@ -60,7 +60,8 @@ Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
         float height = 0.5 * (reach * share + (exp2(octaves * share) - 1.0) * texel_height);
         vec2 texel = floor(at.texel + at.light * turn * height) + 0.5;
         float stored = textureLod(shadow_map, vec3(texel * per_map, at.layer), 0.0).r;
-        float above = stored > plane_depth(at, texel) ? stored - at.depth : 0.0;
+        // What is nearer to the light than was thought counts as if it were not: no filter leaves the map.
+        float above = stored > plane_depth(at, texel) ? min(stored - at.depth, reach) : 0.0;
         // Some outside the cone, too: a few looks may miss what is inside.
         found[i] = above + texel_height >= NEEDED_HEIGHT * height ? above : 0.0;
         if (found[i] > 0.0) {
