@@ -13,7 +13,7 @@ namespace shadows {
 namespace {
 
 /// Share of a penumbra that its guessed width costs.
-constexpr double kSoftWidthError = 0.02;
+constexpr double kSoftWidthError = 0.01;
 
 /// Look-ups of MapFilter::pcf, each of four texels.
 constexpr double kPcfTaps = (kPcfWidth + 1) * (kPcfWidth + 1) / 4.0;
