@@ -219,5 +219,31 @@ TEST(SplitDepths, GrowByOneFactor) {
     EXPECT_NEAR(depths[3], 81.0, 1e-9);
 }
 
+/// A high card over a floor.
+ParallelView over_card(double soft, const Remedies& remedies) {
+    const scene::CameraView camera = camera_at({0.0, 1.7, 0.0});
+    const engine::WorldAabb floor{glm::dvec3(-5.0, 0.0, -5.0), glm::dvec3(5.0, 0.1, 5.0)};
+    const engine::WorldAabb card{glm::dvec3(-9.0, 50.0, -9.0), glm::dvec3(9.0, 51.0, 9.0)};
+    const glm::dmat3 axes = light_axes(glm::dvec3(0.0, -1.0, 0.0), std::nullopt, remedies);
+    const CascadeRequest request{camera, axes, floor, {&card, 1}, {4.0, 128.0}, 1, 1024, soft};
+    return fit_cascades(request, remedies).front();
+}
+
+TEST(SoftCascades, KnowHowHighTheirCastersAre) {
+    const auto without = Remedies().without(Remedy::soft_true_heights);
+
+    EXPECT_LT(over_card(0.05, {}).nearest, -51.0);
+    EXPECT_GT(over_card(0.05, without).nearest, -1.0);
+    EXPECT_GT(over_card(0.0, {}).nearest, -1.0);
+}
+
+TEST(SoftCascades, ReachAsFarAsAPenumbraBeyondTheirReceivers) {
+    const ParallelView hard = over_card(0.0, {});
+    const ParallelView soft = over_card(0.05, {});
+
+    EXPECT_LT(soft.min.x, hard.min.x - 0.05 * 45.0);
+    EXPECT_GT((soft.texel * 1024.0).x, (hard.texel * 1024.0).x + 0.1 * 45.0);
+}
+
 } // namespace
 } // namespace shadows

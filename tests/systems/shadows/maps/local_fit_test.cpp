@@ -40,6 +40,20 @@ TEST(CubeViews, EveryDirectionIsSeenByTheFaceOfItsLargestAxisInTheCube) {
     }
 }
 
+TEST(CubeViews, ReachAsFarAsAPenumbraBeyondAQuarterTurn) {
+    for (const PyramidView& view : cube_views({}, 256, 2, 0.3)) {
+        const double inside = view.max.x - 2.0 * (view.max.x - view.min.x) / 256.0;
+        EXPECT_NEAR(inside, 1.3, 1e-9);
+    }
+}
+
+TEST(SpotView, ReachesAsFarAsAPenumbraBeyondTheCone) {
+    const LightView light = torch();
+
+    EXPECT_NEAR(
+        spot_view(light, {}, 512, 0, 0.2).max.x, spot_view(light, {}, 512, 0).max.x + 0.2, 1e-9);
+}
+
 TEST(SpotView, HoldsTheConeWhereNothingSaysWhatCasts) {
     const LightView light = torch();
     const PyramidView view = spot_view(light, {}, 512, 0);
