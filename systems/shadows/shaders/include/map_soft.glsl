@@ -1,12 +1,12 @@
 // Penumbrae from one map: how much of a light of a size passes at a place.
 //
-// A point of the light, given on its unit disc, is seen from the receiver through the texel at disc x depth x MapPlace's
-// `light`, where depth is how far a blocker lies above the receiver: for parallel and perspective rays alike, as depth is
-// an affine function of one over the distance there. So a blocker takes light away just where it lies inside the cone
-// between the receiver and the light, and each blocker that is found says how wide its penumbra is.
+// A point of the light, given on its unit disc, is seen from the receiver through the texel at disc x height x
+// MapPlace's `light`, where height is the depth that a blocker lies above the receiver: for parallel and perspective
+// rays alike, as a pyramid's depth is one over distance. So a blocker takes light away just where it lies inside the
+// cone between the receiver and the light, and each blocker that is found says how wide its penumbra is.
 //
-// Two blockers at different heights have a wide penumbra and a narrow one. Their mean would be too sharp for the one and
-// too soft for the other, so they are told apart by height, filtered on their own and multiplied; the lower one is
+// Two blockers at different heights have a wide penumbra and a narrow one. Their mean would be too sharp for the one
+// and too soft for the other, so they are told apart by height, filtered on their own and multiplied; the lower one is
 // filtered where the higher one does not hide it.
 //
 // Source of the idea: R. Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005. Cone and clusters are ours.
