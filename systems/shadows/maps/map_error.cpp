@@ -83,8 +83,9 @@ int filter_border(MapFilter filter) {
     case MapFilter::nearest:
         return 1;
     case MapFilter::bilinear:
-    case MapFilter::pcss: // beside its penumbra
         return 1;
+    case MapFilter::pcss: // beside its penumbra
+        return 2;
     case MapFilter::pcf:
         break;
     }
@@ -96,8 +97,9 @@ double filter_reach(MapFilter filter) {
     case MapFilter::nearest:
         return 0.5;
     case MapFilter::bilinear:
-    case MapFilter::pcss:
         return 1.0;
+    case MapFilter::pcss: // at least
+        return 2.0;
     case MapFilter::pcf:
         break;
     }
@@ -109,8 +111,9 @@ double edge_error_texels(MapFilter filter) {
     case MapFilter::nearest:
         return 0.2422;
     case MapFilter::bilinear:
-    case MapFilter::pcss:
         return 0.332;
+    case MapFilter::pcss: // a disc of one texel's radius, of bilinear taps
+        return 0.50;
     case MapFilter::pcf:
         break;
     }
@@ -122,8 +125,9 @@ double ramp_texels(MapFilter filter) {
     case MapFilter::nearest:
         return 0.0;
     case MapFilter::bilinear:
-    case MapFilter::pcss: // at least
         return 1.33;
+    case MapFilter::pcss: // at least
+        return 2.0;
     case MapFilter::pcf:
         break;
     }

@@ -25,7 +25,7 @@ layout(location = 0) out float visibility;
 #ifdef PARALLEL
 // Texels between a place and the nearest border that filters may not pass; negative outside.
 float depth_inside(MapInputs map, vec4 placement, vec2 texel) {
-    vec2 inside = min(texel, map.size.x - texel) - map.size.w - map.size.z * placement.xy;
+    vec2 inside = min(texel, map.size.x - texel) - map.size.w - map.source.x * placement.xy;
     return min(inside.x, inside.y);
 }
 

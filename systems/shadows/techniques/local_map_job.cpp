@@ -69,7 +69,10 @@ void LocalMapJob::place(const gpu::Program& mask, const scene::CameraView& camer
     set_view(mask, views_.front(), camera);
     if (kind_ == Kind::cube) mask.set("light_from_world", glm::mat3(cube_turn())); // for all faces
     const double near = views_.front().near;
-    mask.set("light_source", glm::vec2(glm::dvec2(light().light.radius / near, near / nearest_blocker())));
+    mask.set(
+        "light_source",
+        glm::vec2(glm::dvec2(
+            static_cast<double>(light().light.radius) / near, near / nearest_blocker())));
 }
 
 } // namespace shadows

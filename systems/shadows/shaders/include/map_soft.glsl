@@ -12,6 +12,8 @@
 // Source of the idea: R. Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005. Cone and clusters are ours.
 
 const float GOLDEN_ANGLE = 2.39996323;
+// Places lie on a spiral, the same for every pixel: noise would stay on the screen while the world moves.
+const vec2 FIRST_TURN = vec2(1.0, 0.0);
 
 // Heights whose ratio is larger than this are two clusters.
 const float CLUSTER_RATIO = 2.0;
@@ -21,11 +23,6 @@ const float NEEDED_HEIGHT = 0.5;
 // Where a low blocker is seen beside a high one it is guessed to go on behind it. It may as well be a wall beside the
 // receiver, that takes no light from it: this much of CREASE_TANGENT tells them apart.
 const float GENTLE_CREASE = 0.25;
-
-// Interleaved gradient noise. Source: J. Jimenez, "Next Generation Post Processing in Call of Duty", SIGGRAPH 2014.
-float noise_at(vec2 pixel) {
-    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-}
 
 mat2 turn_by(float angle) {
     float c = cos(angle);
@@ -42,8 +39,9 @@ struct Blockers {
 };
 
 // Looks for blockers inside the cone. Distances rise half evenly, half in geometric series from a texel on, because
-// nothing is known of the heights yet.
-Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
+// nothing is known of the heights yet. Each look takes the four texels that a filter of no width would, so what is seen
+// here and what the filter finds agree for the smallest of lights.
+Blockers find_blockers(MapPlace at, float per_map) {
     float texel_height = 1.0 / at.light[0][0];
     float reach = max(at.highest - at.depth, texel_height);
 #ifdef SHORT_SEARCH
@@ -51,25 +49,26 @@ Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
 #endif
     float octaves = log2(1.0 + reach / texel_height);
     const mat2 NEXT = turn_by(GOLDEN_ANGLE);
-    float found[SEARCH_TAPS];
+    vec2 turn = FIRST_TURN;
+    vec4 found[SEARCH_TAPS];
     Blockers blockers = Blockers(1e30, 0.0, 0.0, 0.0, 0.0);
     float sum = 0.0;
     float count = 0.0;
     for (int i = 0; i < SEARCH_TAPS; ++i) {
         float share = float(i) / float(SEARCH_TAPS - 1);
         float height = 0.5 * (reach * share + (exp2(octaves * share) - 1.0) * texel_height);
-        vec2 texel = floor(at.texel + at.light * turn * height) + 0.5;
-        float stored = textureLod(shadow_map, vec3(texel * per_map, at.layer), 0.0).r;
+        vec2 first = floor(at.texel + at.light * turn * height - 0.5) + 0.5;
+        vec4 stored = textureGather(shadow_map, vec3((first + 0.5) * per_map, at.layer)).wzxy;
         // What is nearer to the light than was thought counts as if it were not: no filter leaves the map.
-        float above = stored > plane_depth(at, texel) ? min(stored - at.depth, reach) : 0.0;
+        vec4 above = min(stored - at.depth, vec4(reach)) * (1.0 - passes_at(at, first, stored));
         // Some outside the cone, too: a few looks may miss what is inside.
-        found[i] = above + texel_height >= NEEDED_HEIGHT * height ? above : 0.0;
-        if (found[i] > 0.0) {
-            blockers.lowest = min(blockers.lowest, above);
-            blockers.highest = max(blockers.highest, above);
-            sum += above;
-            count += 1.0;
-        }
+        found[i] = above * step(vec4(NEEDED_HEIGHT * height), above + texel_height);
+        vec4 blocks = step(vec4(1e-12), found[i]);
+        vec4 lowest = mix(vec4(1e30), found[i], blocks);
+        blockers.lowest = min(blockers.lowest, min(min(lowest.x, lowest.y), min(lowest.z, lowest.w)));
+        blockers.highest = max(blockers.highest, max(max(found[i].x, found[i].y), max(found[i].z, found[i].w)));
+        sum += dot(found[i], vec4(1.0));
+        count += dot(blocks, vec4(1.0));
         turn = NEXT * turn;
     }
     if (count == 0.0) return blockers;
@@ -80,16 +79,19 @@ Blockers find_blockers(MapPlace at, float per_map, vec2 turn) {
     vec2 sums = vec2(0.0);
     vec2 counts = vec2(0.0);
     for (int i = 0; i < SEARCH_TAPS; ++i) {
-        if (found[i] == 0.0) continue;
-        bool high = found[i] > blockers.split;
-        sums += high ? vec2(0.0, found[i]) : vec2(found[i], 0.0);
-        counts += high ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+        vec4 high = step(vec4(blockers.split), found[i]);
+        vec4 low = step(vec4(1e-12), found[i]) * (1.0 - high);
+        sums += vec2(dot(low, found[i]), dot(high, found[i]));
+        counts += vec2(dot(low, vec4(1.0)), dot(high, vec4(1.0)));
     }
     blockers.low = sums.x / counts.x;
     blockers.high = sums.y / counts.y;
 #endif
     return blockers;
 }
+
+// Texels: the least radius of a filter. Facets that graze the light shadow themselves in stripes a texel wide.
+const float NARROWEST = 1.0;
 
 // What a filter finds, as shares of the light.
 struct Filtered {
@@ -100,15 +102,18 @@ struct Filtered {
 };
 
 // @param height of the blockers: sets the width
-Filtered filter_between(MapPlace at, float per_map, float height, float above, float up_to, vec2 turn) {
+Filtered filter_between(MapPlace at, float per_map, float height, float above, float up_to) {
     const mat2 NEXT = turn_by(GOLDEN_ANGLE);
+    vec2 turn = FIRST_TURN;
     MapPlace gentle = at;
     gentle.rise *= GENTLE_CREASE;
     float texel_height = 1.0 / at.light[0][0];
     Filtered sum = Filtered(0.0, 0.0, 0.0, 0.0);
+    height = max(height, 1e-6 * texel_height);
+    mat2 light = at.light * max(1.0, NARROWEST * texel_height / height);
     for (int i = 0; i < FILTER_TAPS; ++i) {
         float way = sqrt((float(i) + 0.5) / float(FILTER_TAPS)) * height;
-        vec2 texel = at.texel + at.light * turn * way;
+        vec2 texel = at.texel + light * turn * way;
         vec2 first = floor(texel - 0.5) + 0.5;
         vec2 part = texel - first;
         vec4 stored = textureGather(shadow_map, vec3((first + 0.5) * per_map, at.layer)).wzxy;
@@ -131,21 +136,20 @@ Filtered filter_between(MapPlace at, float per_map, float height, float above, f
 
 // @param per_map one over the texels per side
 float light_through(MapPlace at, float per_map) {
-    float angle = 6.2831853 * noise_at(gl_FragCoord.xy);
-    vec2 turn = vec2(cos(angle), sin(angle));
-    Blockers blockers = find_blockers(at, per_map, turn);
+    Blockers blockers = find_blockers(at, per_map);
     if (blockers.highest == 0.0) return 1.0;
     const float EVERYTHING = 1e30;
 #ifdef ONE_WIDTH
     blockers.split = 0.0;
     blockers.high = 4.0 / at.light[0][0];
 #endif
-    Filtered high = filter_between(at, per_map, blockers.high, blockers.split, EVERYTHING, turn);
+    Filtered high = filter_between(at, per_map, blockers.high, blockers.split, EVERYTHING);
     float lit = 1.0 - high.closed;
 #ifndef ONE_CLUSTER
-    if (lit > 0.0 && (blockers.split > 0.0 || high.low > 0.0)) {
+    bool wide = blockers.high * at.light[0][0] > 1.0; // more than a texel: else nothing low is hidden
+    if (lit > 0.0 && (blockers.split > 0.0 || (wide && high.low > 0.0))) {
         float up_to = blockers.split > 0.0 ? blockers.split : blockers.lowest / CLUSTER_RATIO;
-        Filtered low = filter_between(at, per_map, blockers.low, 0.0, up_to, turn);
+        Filtered low = filter_between(at, per_map, blockers.low, 0.0, up_to);
         // Where the low ones are hidden, they are as they are where the high ones end.
         float all = high.open + high.low;
         float hidden = all > 0.0 ? high.open / all : 1.0;
