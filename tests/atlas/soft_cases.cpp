@@ -1,4 +1,4 @@
-// Failures of soft shadow maps.
+// Failures of soft shadow maps and soft shadow textures.
 //
 // Sources: R. Fernando, "Percentage-Closer Soft Shadows", SIGGRAPH 2005; G. Guennebaud et al.,
 // "Real-Time Soft Shadow Mapping by Backprojection", 2006 (two blockers).
@@ -78,6 +78,19 @@ Stage standing_pole(double height) {
     return soft_map(builder, usual_camera(kPictureSize), "sun", "cascaded_map");
 }
 
+/// A card under a lamp, its shadow from as many points as the maps have taps.
+Stage card_under_lamp(double height) {
+    WorldBuilder builder = floor_of(14.0F);
+    builder.add("card", scene::make_box({1.5F, 0.02F, 1.5F}), at({0.3, height, 0.0}));
+    scene::PlacedLight lamp = lamp_at({-1.0, 5.0, 0.5});
+    lamp.light.radius = 0.3F;
+    builder.add_light(lamp);
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "lamp", "floor", "shadow_texture");
+    stage.level.shadows.scene.samples = kTaps;
+    return stage;
+}
+
 /// A card that does not receive, so that the map's near end may lie below it.
 Stage high_card(double height) {
     Stage stage = card_at(height, 2.0);
@@ -128,6 +141,12 @@ std::vector<Case> soft_cases() {
          high_card,
          {8.0, 16.0, 14.0},
          Remedy::soft_true_heights,
+         {error_over_samples(1.5)}},
+        {"Points",
+         "a lamp with a size throws hard shadows",
+         card_under_lamp,
+         {0.5, 2.5, 2.0},
+         Remedy::texture_light_points,
          {error_over_samples(1.5)}},
     };
 }

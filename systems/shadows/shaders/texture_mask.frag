@@ -1,5 +1,6 @@
 #version 450 core
-// Dark behind the casters of one texture, for the receivers of its plans.
+// Dark behind the casters of one texture, for the receivers of its plans. SUMMED for one point of a light with a size,
+// see techniques/light_sum.hpp.
 //
 // PARALLEL or SPOT, with MAP_LAYERS 1. An edge is where half is covered, so it stays a line however near the camera
 // comes. Source: C. Green, "Improved Alpha-Tested Magnification for Vector Textures and Special Effects", 2007.
@@ -18,7 +19,11 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2D texels; // as texture_reduce
 noperspective in vec3 ray;
 flat in MapInputs map;
 
+#ifdef SUMMED
+layout(location = 0) out vec2 light; // blocked, given
+#else
 layout(location = 0) out float visibility;
+#endif
 
 // No surface that still takes light to speak of rises more than 16 texels' depth within one: what is so much nearer
 // blocks, whatever a plane seen edge on says.
@@ -89,6 +94,13 @@ void main() {
     vec3 to_light = map.light - point;
 #endif
     vec3 shaded = surface_direction(surface);
-    Receiver receiver = receiver_at(point, facet_direction(texelFetch(facets, pixel, 0).r), shaded, to_light);
-    visibility = serves(id) && dot(receiver.normal, to_light) > 0.0 && dark(receiver) ? 0.0 : 1.0;
+    vec3 facet = facet_direction(texelFetch(facets, pixel, 0).r);
+    Receiver receiver = receiver_at(point, facet, shaded, to_light);
+    bool blocked = serves(id) && dot(receiver.normal, to_light) > 0.0 && dark(receiver);
+#ifdef SUMMED
+    float given = max(dot(receiver.normal, normalize(to_light)), 0.0);
+    light = vec2(blocked ? given : 0.0, given);
+#else
+    visibility = blocked ? 0.0 : 1.0;
+#endif
 }

@@ -20,26 +20,6 @@ namespace {
 /// Texels that stay empty on each side: the edge of what is filtered.
 constexpr int kBorder = 1;
 
-/// Where the shadow can be seen: one rectangle round all receivers, or one for each where that is
-/// less to draw. They may overlap: masks take the minimum.
-std::vector<gpu::Rect> areas_of(
-    const scene::CameraView& camera,
-    const std::vector<SweptReach>& reaches,
-    const gpu::Rect& whole) {
-    std::vector<gpu::Rect> areas;
-    gpu::Rect round;
-    std::uint64_t sum = 0;
-    for (const SweptReach& reach : reaches) {
-        const gpu::Rect area = intersection(to_rect(swept_pixels(camera, {reach})), whole);
-        if (area.empty()) continue;
-        areas.push_back(area);
-        round = hull(round, area);
-        sum += pixels(area);
-    }
-    if (areas.size() > 1 && pixels(round) <= sum) return {round};
-    return areas;
-}
-
 bool is_local(const LightView& light) {
     return light.light.kind != scene::LightKind::directional;
 }
@@ -71,19 +51,10 @@ bool CasterTexture::DrawnFrom::operator==(const DrawnFrom& other) const {
 }
 
 engine::Result<void> CasterTexture::update(
-    const ShadowRequest& request,
-    const CasterGroup& casters,
-    const std::vector<const Plan*>& plans,
-    int size) {
+    const ShadowRequest& request, const LightView& light, const CasterGroup& casters, int size) {
     const ShadowScene& scene = request.scene;
-    light_ = scene.lights[request.light];
+    light_ = light;
     origin_ = is_local(light_) ? light_.position : scene.camera.position;
-    receivers_.assign(plans, request.receiver_end);
-    reaches_.clear();
-    for (const Plan* plan : plans)
-        if (const auto reach =
-                swept_reach(light_, casters.bounds, scene.receiver(plan->receiver).bounds))
-            reaches_.push_back(*reach);
     DrawnFrom from;
     from.size = size;
     const auto& registry = request.world.registry;
@@ -187,17 +158,6 @@ engine::Result<void> CasterTexture::render(
     gpu::ShaderLibrary& shaders,
     const render::Geometry& geometry,
     TextureSamples& samples) {
-    gpu::Defines defines = {is_local(light_) ? "SPOT" : "PARALLEL", "MAP_LAYERS=1"};
-    if (!drawn_from_.catchers.empty()) defines.emplace_back("CAUGHT");
-    if (!remedies_.on(Remedy::texture_behind_only)) defines.emplace_back("ANYWHERE");
-    if (!remedies_.on(Remedy::texture_before_light)) defines.emplace_back("BACKWARD");
-    if (!remedies_.on(Remedy::texture_border)) defines.emplace_back("CLAMPED");
-    if (!remedies_.on(Remedy::texture_half_coverage)) defines.emplace_back("BLOCKS");
-    if (!remedies_.on(Remedy::texture_plane_depth)) defines.emplace_back("ONE_DEPTH");
-    const auto mask =
-        shaders.graphics("shadows/map_mask.vert", "shadows/texture_mask.frag", defines);
-    if (!mask) return mask.error();
-    mask_ = *mask;
     if (!due_) return {};
     const int fine = drawn_from_.size * kSamplesPerSide;
     const auto casters = samples.get(fine, 0);
@@ -232,28 +192,31 @@ engine::Result<void> CasterTexture::render(
     return {};
 }
 
-void CasterTexture::apply(
+gpu::Defines CasterTexture::mask_defines() const {
+    gpu::Defines defines = {is_local(light_) ? "SPOT" : "PARALLEL", "MAP_LAYERS=1"};
+    if (!remedies_.on(Remedy::texture_behind_only)) defines.emplace_back("ANYWHERE");
+    if (!remedies_.on(Remedy::texture_before_light)) defines.emplace_back("BACKWARD");
+    if (!remedies_.on(Remedy::texture_border)) defines.emplace_back("CLAMPED");
+    if (!remedies_.on(Remedy::texture_half_coverage)) defines.emplace_back("BLOCKS");
+    if (!remedies_.on(Remedy::texture_plane_depth)) defines.emplace_back("ONE_DEPTH");
+    return defines;
+}
+
+void CasterTexture::look_up(
     gpu::Frame& frame,
+    const gpu::Program& mask,
     const scene::CameraView& camera,
-    const render::VisibilityTarget& target,
+    std::span<const gpu::Rect> areas,
     gpu::RenderState state) const {
-    // Without its remedy a caster is projected where its bounds never go.
-    const bool everywhere = !remedies_.on(Remedy::texture_before_light)
-                            || !remedies_.on(Remedy::texture_border)
-                            || !remedies_.on(Remedy::texture_behind_only);
-    const std::vector<gpu::Rect> areas =
-        everywhere ? std::vector{target.area} : areas_of(camera, reaches_, target.area);
-    if (areas.empty()) return;
     if (const auto* parallel = std::get_if<ParallelView>(&drawn_from_.view))
-        set_view(*mask_, *parallel, camera, 0);
+        set_view(mask, *parallel, camera, 0);
     else
-        set_view(*mask_, std::get<PyramidView>(drawn_from_.view), camera);
-    receivers_.bind();
+        set_view(mask, std::get<PyramidView>(drawn_from_.view), camera);
     texture_.bind(UNIT_VISIBILITY);
     for (const gpu::Rect& area : areas) {
         state.scissor = area;
         frame.state(state);
-        frame.draw_fullscreen(*mask_);
+        frame.draw_fullscreen(mask);
         frame.counters().mask_fragments += pixels(area);
         frame.counters().taps += 4 * pixels(area);
     }

@@ -1,17 +1,17 @@
-// The shadow texture of one group of casters, and the mask pass that looks into it.
+// The shadow texture of one group of casters, from one point, and the look into it.
 
 #pragma once
 
+#include "engine/gpu/frame.hpp"
 #include "engine/gpu/framebuffer.hpp"
+#include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
 #include "engine/render/geometry.hpp"
-#include "engine/render/light_visibility.hpp"
 #include "systems/shadows/shadow_technique.hpp"
-#include "systems/shadows/techniques/receiver_bits.hpp"
 #include "systems/shadows/textures/texture_view.hpp"
-#include "systems/shadows/volumes/swept_bounds.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,13 +36,10 @@ private:
 class CasterTexture {
 public:
     /// Fits the texture to a group, and notes whether it has to be drawn again.
-    /// @param plans those that name the group, at least one
+    /// @param light without a size
     /// Errors: as fit_texture() has them.
     engine::Result<void> update(
-        const ShadowRequest& request,
-        const CasterGroup& casters,
-        const std::vector<const Plan*>& plans,
-        int size);
+        const ShadowRequest& request, const LightView& light, const CasterGroup& casters, int size);
 
     /// Draws the texture if it has to be.
     engine::Result<void> render(
@@ -51,12 +48,18 @@ public:
         const render::Geometry& geometry,
         TextureSamples& samples);
 
-    /// Lowers the mask behind the casters. @pre the state of the mask pass is set but for its
-    /// scissor
-    void apply(
+    /// Whether things that receive without casting end its shadows.
+    [[nodiscard]] bool catches() const { return !drawn_from_.catchers.empty(); }
+    /// What the program that looks into it is compiled with; CAUGHT, too, where some do.
+    [[nodiscard]] gpu::Defines mask_defines() const;
+    /// Finds what is behind the casters. @pre a pass on the mask or on a sum is open, G-buffer and
+    /// receivers are bound
+    /// @param state but for its scissor
+    void look_up(
         gpu::Frame& frame,
+        const gpu::Program& mask,
         const scene::CameraView& camera,
-        const render::VisibilityTarget& target,
+        std::span<const gpu::Rect> areas,
         gpu::RenderState state) const;
 
     [[nodiscard]] const TextureView& view() const { return drawn_from_.view; }
@@ -98,11 +101,8 @@ private:
     glm::dvec3 origin_ = {}; ///< of the instances
     DrawnFrom drawn_from_;
     bool due_ = true;
-    ReceiverBits receivers_;
-    std::vector<SweptReach> reaches_; ///< where its shadow can fall
     gpu::Texture texture_;
     gpu::Framebuffer target_;
-    const gpu::Program* mask_ = nullptr;
 };
 
 } // namespace shadows

@@ -1,6 +1,7 @@
 #include "systems/shadows/textures/texture_prediction.hpp"
 
 #include "systems/shadows/error_model.hpp"
+#include "systems/shadows/light_samples.hpp"
 #include "systems/shadows/maps/map_error.hpp"
 #include "systems/shadows/textures/texture_view.hpp"
 #include "systems/shadows/volumes/swept_bounds.hpp"
@@ -97,34 +98,67 @@ engine::Result<std::optional<Lie>> lie_of(const PairView& pair, const CasterGrou
          may_darken_itself(pair, casters) ? kOwnEdgeTexels : kTextureEdgeTexels});
 }
 
+/// Memory is what limits textures that are kept: 64 MiB of 16 bytes a texel.
+int most_samples(int size) {
+    return std::max(1, (64 << 20) / (16 * size * size));
+}
+
+/// Of a layout: pixels of displacement, per length of edge.
+double error_of(const Lie& lie, const TextureLayout& layout, double penumbra) {
+    const double edges = lie.edge_texels * lie.footprint / layout.size;
+    const double soft =
+        layout.samples == 1 ? 0.25 * penumbra : sampling_error(layout.samples) * penumbra;
+    return kPrecisionFloorPx + edges + soft;
+}
+
+TextureLayout layout_for(const PairView& pair, const Lie& lie, double penumbra) {
+    TextureLayout layout;
+    layout.size = size_for(pair, lie.footprint, lie.edge_texels);
+    if (!has_size(pair.light)) return layout;
+    if (pair.wish.samples) {
+        layout.samples = std::clamp(*pair.wish.samples, 1, most_samples(layout.size));
+        return layout;
+    }
+    if (error_of(lie, layout, penumbra) <= pair.budget_px) return layout;
+    // The points' hard edges are off in all directions, and half of the budget is left to them.
+    layout.samples =
+        std::min(samples_for(penumbra, 0.5 * pair.budget_px), most_samples(layout.size));
+    return layout;
+}
+
 } // namespace
 
 engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters) {
     const auto lie = lie_of(pair, casters);
     if (!lie) return lie.error();
     if (!*lie) return Prediction{}; // no shadow of theirs falls there
-    const int size = size_for(pair, (*lie)->footprint, (*lie)->edge_texels);
-    const double texel_px = (*lie)->footprint / size;
+    const double penumbra = penumbra_px(pair, casters);
+    const TextureLayout layout = layout_for(pair, **lie, penumbra);
     const ShadowFootprint shadow = shadow_footprint(pair, casters);
     Prediction prediction;
-    prediction.error_px =
-        kPrecisionFloorPx + (*lie)->edge_texels * texel_px + 0.25 * penumbra_px(pair, casters);
+    prediction.error_px = error_of(**lie, layout, penumbra);
     // Truth lets light through what does not cast, and the shadow with it.
     if (may_be_caught(pair, casters))
         prediction.error_px += shadow.length_px / (2.0 * std::numbers::pi);
     prediction.error_area_px = prediction.error_px * shadow.length_px;
-    const double texels = static_cast<double>(size) * size;
-    prediction.cost.vertices = static_cast<double>(casters.triangles);
-    prediction.cost.map_texels = kMapTexelsPerTexel * texels / kReceiversPerTexture;
-    prediction.cost.taps = kTapsPerPixel * swept_pixels(pair.scene.camera, {(*lie)->reach}).area();
-    prediction.cost.draws = kOwnDraws + static_cast<double>(casters.casters.size());
+    const double texels = static_cast<double>(layout.size) * layout.size;
+    const double area = swept_pixels(pair.scene.camera, {(*lie)->reach}).area();
+    Cost& cost = prediction.cost;
+    cost.vertices = layout.samples * static_cast<double>(casters.triangles);
+    cost.map_texels = layout.samples * kMapTexelsPerTexel * texels / kReceiversPerTexture;
+    cost.taps = layout.samples * kTapsPerPixel * area;
+    cost.draws = layout.samples * (kOwnDraws + static_cast<double>(casters.casters.size()));
     return prediction;
 }
 
-int texture_size_for(const PairView& pair, const CasterGroup& casters) {
-    if (pair.wish.map_size) return *pair.wish.map_size;
+TextureLayout texture_layout(const PairView& pair, const CasterGroup& casters) {
     const auto lie = lie_of(pair, casters);
-    return lie && *lie ? size_for(pair, (*lie)->footprint, (*lie)->edge_texels) : kSmallestTexture;
+    if (!lie || !*lie) return {pair.wish.map_size.value_or(kSmallestTexture), 1};
+    return layout_for(pair, **lie, penumbra_px(pair, casters));
+}
+
+TextureLayout finer(const TextureLayout& a, const TextureLayout& b) {
+    return {std::max(a.size, b.size), std::max(a.samples, b.samples)};
 }
 
 } // namespace shadows

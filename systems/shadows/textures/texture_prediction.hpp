@@ -20,9 +20,21 @@ inline constexpr double kTextureEdgeTexels = 0.09;
 /// Errors: a lamp amid its casters, or so close to them that no texture holds them.
 engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters);
 
-/// Texels per side: what was asked for, else the least power of two that keeps the pair's budget
-/// where the shadow falls.
+/// What a group's textures are made of.
+struct TextureLayout {
+    int size = kSmallestTexture; ///< texels per side
+    int samples = 1;             ///< points of the light, a texture each
+
+    bool operator==(const TextureLayout&) const = default;
+};
+
+/// What serves two receivers.
+TextureLayout finer(const TextureLayout& a, const TextureLayout& b);
+
+/// What was asked for; else one texture where a hard edge keeps the pair's budget, or as many
+/// points of the light as do; and the least power of two of texels that keeps it where the shadow
+/// falls.
 /// @pre predict_texture() does not refuse
-int texture_size_for(const PairView& pair, const CasterGroup& casters);
+TextureLayout texture_layout(const PairView& pair, const CasterGroup& casters);
 
 } // namespace shadows

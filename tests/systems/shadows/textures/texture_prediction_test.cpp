@@ -45,8 +45,8 @@ TEST_F(TexturePrediction, HoldsItsBudgetByItsTexels) {
         budget_px = budget;
         EXPECT_LE(predict(sun())->error_px, budget);
         const LightView light = sun();
-        EXPECT_GE(texture_size_for(pair(light), box), last);
-        last = texture_size_for(pair(light), box);
+        EXPECT_GE(texture_layout(pair(light), box).size, last);
+        last = texture_layout(pair(light), box).size;
     }
     EXPECT_GT(last, kSmallestTexture);
 }
@@ -54,17 +54,40 @@ TEST_F(TexturePrediction, HoldsItsBudgetByItsTexels) {
 TEST_F(TexturePrediction, FarShadowsTakeSmallerTextures) {
     const LightView light = sun();
     budget_px = 0.25;
-    const int near = texture_size_for(pair(light), box);
+    const int near = texture_layout(pair(light), box).size;
     scene.camera.position = {0.0, 20.0, 80.0};
 
-    EXPECT_LT(texture_size_for(pair(light), box), near);
+    EXPECT_LT(texture_layout(pair(light), box).size, near);
+}
+
+TEST_F(TexturePrediction, PointsOfALightAreTakenWhereAHardEdgeWouldBreakTheBudget) {
+    LightView light = sun();
+    const double hard = predict(light)->cost.taps;
+    light.light.angular_radius = 0.05F;
+    budget_px = 1000.0;
+    EXPECT_EQ(texture_layout(pair(light), box).samples, 1);
+    budget_px = 1.0;
+    const TextureLayout layout = texture_layout(pair(light), box);
+
+    EXPECT_GT(layout.samples, 1);
+    EXPECT_LE(predict(light)->error_px, budget_px);
+    EXPECT_GT(predict(light)->cost.taps, hard * layout.samples * 0.9);
+}
+
+TEST_F(TexturePrediction, PointsAreNoMoreThanMemoryHolds) {
+    LightView light = sun();
+    light.light.angular_radius = 0.05F;
+    wish.samples = 1024;
+    wish.map_size = 1024;
+
+    EXPECT_EQ(texture_layout(pair(light), box).samples, 4); // 64 MiB
 }
 
 TEST_F(TexturePrediction, WhatWasAskedForIsTaken) {
     wish.map_size = 48;
     const LightView light = sun();
 
-    EXPECT_EQ(texture_size_for(pair(light), box), 48);
+    EXPECT_EQ(texture_layout(pair(light), box).size, 48);
     EXPECT_GT(predict(light)->error_px, 0.04);
 }
 
