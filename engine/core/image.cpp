@@ -21,6 +21,27 @@ Result<void> write_png(const std::filesystem::path& file, const Image& image) {
     return {};
 }
 
+std::vector<std::uint8_t> encode_png(const Image& image) {
+    CHECK_EQ(image.bytes.size(), image.pixel_count() * static_cast<std::size_t>(image.channels));
+    std::vector<std::uint8_t> file;
+    const auto append = [](void* context, void* data, int size) {
+        const auto* bytes = static_cast<const std::uint8_t*>(data);
+        auto& whole = *static_cast<std::vector<std::uint8_t>*>(context);
+        whole.insert(whole.end(), bytes, bytes + size);
+    };
+    CHECK(
+        stbi_write_png_to_func(
+            append,
+            &file,
+            image.width,
+            image.height,
+            image.channels,
+            image.bytes.data(),
+            image.width * image.channels)
+        != 0);
+    return file;
+}
+
 Result<Image> read_png(const std::filesystem::path& file, int channels) {
     int width = 0;
     int height = 0;

@@ -45,6 +45,9 @@ private:
 /// Errors: the folder does not exist or the disk is full.
 Result<void> write_png(const std::filesystem::path& file, const Image& image);
 
+/// The bytes of a PNG file.
+std::vector<std::uint8_t> encode_png(const Image& image);
+
 /// @param channels 1, 3 or 4 to convert, 0 to keep what the file has
 /// Errors: no such file, or not a picture.
 Result<Image> read_png(const std::filesystem::path& file, int channels = 0);

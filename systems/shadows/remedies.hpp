@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstdint>
+#include <string_view>
 
 namespace shadows {
 
@@ -15,6 +17,16 @@ enum class Remedy : std::uint8_t {
 #undef SHADOW_REMEDY
     count,
 };
+
+/// Its spelling in remedies.def. @pre a remedy, not `count`
+constexpr std::string_view name_of(Remedy remedy) {
+    constexpr std::array kNames = {
+#define SHADOW_REMEDY(name, about) std::string_view(#name),
+#include "systems/shadows/remedies.def"
+#undef SHADOW_REMEDY
+    };
+    return kNames[static_cast<std::size_t>(remedy)];
+}
 
 /// A value: all on when default constructed.
 class Remedies {

@@ -1,6 +1,7 @@
 #include "tests/atlas/atlas.hpp"
 
 #include "engine/core/image.hpp"
+#include "engine/scene/views.hpp"
 #include "engine/trace/trace_scene.hpp"
 
 #include <epoxy/gl.h>
@@ -27,13 +28,6 @@ find_light(const std::vector<scene::PlacedLight>& lights, const std::string& nam
     return engine::Error{fmt::format("no light '{}' in this stage", name)};
 }
 
-engine::Image grey(const measure::Mask& mask) {
-    engine::Image image(mask.width, mask.height, 1);
-    for (std::size_t i = 0; i < image.bytes.size(); ++i)
-        image.bytes[i] = static_cast<std::uint8_t>(mask.visibility[i] * 255.0F + 0.5F);
-    return image;
-}
-
 engine::Result<void> write_pictures(
     const std::string& stem, const engine::Image& color, const measure::Comparison& comparison) {
     const char* named = std::getenv("GNOMON_ATLAS_PICTURES");
@@ -53,18 +47,13 @@ engine::Result<void> write_pictures(
 }
 
 /// The mask of the light and its truth, compared.
-engine::Result<measure::Comparison>
-compare(gnomon::Studio& studio, const Stage& stage, std::size_t light) {
+engine::Result<measure::Comparison> compare(
+    gnomon::Studio& studio, const Stage& stage, std::size_t light, const truth::TruthImage& truth) {
     const gnomon::DrawnSurfaces drawn = gnomon::drawn_surfaces(studio, stage.camera);
     const auto mask = studio.mask(light);
     if (!mask) return mask.error();
-    const trace::TraceScene tracer(stage.level.world);
-    truth::TruthOptions options;
-    options.visibility.samples = kTruthSamples;
-    const scene::PlacedLight& placed = studio.lights()[light];
-    const truth::TruthImage truth = truth::true_visibility(tracer, stage.camera, placed, options);
     measure::Comparison comparison =
-        gnomon::make_comparison(*mask, truth, drawn, stage.camera, placed);
+        gnomon::make_comparison(*mask, truth, drawn, stage.camera, studio.lights()[light]);
     comparison.resolution_band_px =
         gnomon::Serving(studio.shadows(), light).bands_px(drawn, truth, stage.camera);
     return comparison;
@@ -72,8 +61,36 @@ compare(gnomon::Studio& studio, const Stage& stage, std::size_t light) {
 
 } // namespace
 
+engine::Image grey(const measure::Mask& mask) {
+    engine::Image image(mask.width, mask.height, 1);
+    for (std::size_t i = 0; i < image.bytes.size(); ++i)
+        image.bytes[i] = static_cast<std::uint8_t>(mask.visibility[i] * 255.0F + 0.5F);
+    return image;
+}
+
+engine::Result<truth::TruthImage> trace(Stage& stage) {
+    scene::update(stage.level.world, 0.0F);
+    const auto lights = scene::placed_lights(stage.level.world);
+    const auto light = find_light(lights, stage.light);
+    if (!light) return light.error();
+    const trace::TraceScene tracer(stage.level.world);
+    truth::TruthOptions options;
+    options.visibility.samples = kTruthSamples;
+    return truth::true_visibility(tracer, stage.camera, lights[*light], options);
+}
+
 engine::Result<Observation>
 observe(Stage& stage, const shadows::Remedies& remedies, const std::string& pictures) {
+    const auto truth = trace(stage);
+    if (!truth) return truth.error();
+    return observe(stage, *truth, remedies, pictures);
+}
+
+engine::Result<Observation> observe(
+    Stage& stage,
+    const truth::TruthImage& truth,
+    const shadows::Remedies& remedies,
+    const std::string& pictures) {
     auto opened = gnomon::Studio::open(kPictureSize, kPictureSize);
     if (!opened) return opened.error();
     gnomon::Studio& studio = **opened;
@@ -86,7 +103,7 @@ observe(Stage& stage, const shadows::Remedies& remedies, const std::string& pict
     const auto light = find_light(studio.lights(), stage.light);
     if (!light) return light.error();
     Observation seen;
-    auto compared = compare(studio, stage, *light);
+    auto compared = compare(studio, stage, *light, truth);
     if (!compared) return compared.error();
     seen.comparison = *std::move(compared);
     seen.figures = measure::compare(seen.comparison);
@@ -133,6 +150,15 @@ Gate wrong_over_precision_floor(double at_most) {
             return over.known() ? over.value() : 0.0;
         },
         at_most};
+}
+
+Gate eps_at_most(double px) {
+    return {
+        "eps, px of error per px of edge",
+        [](const Observation& seen) {
+            return seen.figures.eps_px.known() ? seen.figures.eps_px.value() : 0.0;
+        },
+        px};
 }
 
 std::vector<Gate> exact_shape() {

@@ -15,6 +15,7 @@
 
 #include "tools/gnomon/level.hpp"
 #include "tools/measure/figures.hpp"
+#include "tools/truth/truth.hpp"
 
 namespace atlas {
 
@@ -58,17 +59,53 @@ struct Case {
     std::vector<Gate> gates; ///< all hold with the remedy; one breaks without it at the worst step
 };
 
+/// A known failure that nothing here can show.
+struct Impossible {
+    std::string id;
+    std::string sentence; ///< what goes wrong elsewhere
+    std::string why;      ///< it cannot here
+};
+
+/// A technique that is asked for what it cannot do, and says so instead of drawing it.
+struct Refusal {
+    std::string id;       ///< of the failure that is refused
+    std::string sentence; ///< what would go wrong
+    std::string technique;
+    std::function<Stage()> build; ///< with the technique pinned
+    std::string reason;           ///< what it must say, or a part of that
+};
+
 /// What GoogleTest says of a case.
 inline void PrintTo(const Case& one, std::ostream* out) {
     *out << one.id;
 }
 
-/// Draws a stage, traces the truth and compares the two.
+/// What GoogleTest says of a refusal.
+inline void PrintTo(const Refusal& one, std::ostream* out) {
+    *out << one.id << " by " << one.technique;
+}
+
+/// The visibility of the stage's light by rays; poses the stage.
+/// Errors: no such light.
+engine::Result<truth::TruthImage> trace(Stage& stage);
+
+/// Draws a stage and compares it with the truth.
+/// @param truth of trace()
 /// @param pictures stem of the files mask, truth and error that are left in the folder of
 /// GNOMON_ATLAS_PICTURES, where that is set
 /// Errors: no OpenGL here, or a technique that does not serve what it is pinned to.
+engine::Result<Observation> observe(
+    Stage& stage,
+    const truth::TruthImage& truth,
+    const shadows::Remedies& remedies,
+    const std::string& pictures);
+
+/// The same with a truth of its own.
 engine::Result<Observation>
 observe(Stage& stage, const shadows::Remedies& remedies, const std::string& pictures);
+
+/// A mask as a picture.
+engine::Image grey(const measure::Mask& mask);
 
 /// The gates that an observation breaks, one sentence each; empty when all hold.
 std::vector<std::string> broken_gates(const Case& one, const Observation& seen);
@@ -79,6 +116,8 @@ Gate no_light_leak_inside();
 Gate largest_error_inside(double at_most_px);
 /// Wrong pixels against what a shift of 1/16 px of every edge would make.
 Gate wrong_over_precision_floor(double at_most);
+/// Wrong visibility over the length of true edges.
+Gate eps_at_most(double px);
 /// What a technique that is exact but for its edges promises.
 std::vector<Gate> exact_shape();
 

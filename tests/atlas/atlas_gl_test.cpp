@@ -2,33 +2,27 @@
 // must hold all the way through the sweep.
 
 #include "tests/atlas/cases.hpp"
+#include "tests/atlas/sweep.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <set>
 
 #include "tools/gnomon/studio.hpp"
 
 namespace atlas {
 namespace {
 
-/// With the worst step in the place of the nearest one.
-std::vector<double> five_steps(const Sweep& sweep) {
-    std::vector<double> steps;
-    for (int i = 0; i < 5; ++i)
-        steps.push_back(sweep.from + (sweep.to - sweep.from) * i / 4.0);
-    *std::min_element(steps.begin(), steps.end(), [&](double a, double b) {
-        return std::abs(a - sweep.worst) < std::abs(b - sweep.worst);
-    }) = sweep.worst;
-    return steps;
+bool has_opengl() {
+    static const bool has = gnomon::Studio::open(kPictureSize, kPictureSize).has_value();
+    return has;
 }
 
 class Atlas : public testing::TestWithParam<Case> {
 protected:
     void SetUp() override {
-        static const bool has_opengl = gnomon::Studio::open(kPictureSize, kPictureSize).has_value();
-        if (!has_opengl) GTEST_SKIP() << "no OpenGL here";
+        if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
     }
 };
 
@@ -46,7 +40,7 @@ TEST_P(AtlasWithout, TheNaiveMethodFails) {
 
 TEST_P(Atlas, TheRemedyHolds) {
     const Case& one = GetParam();
-    for (const double step : five_steps(one.sweep)) {
+    for (const double step : steps_of(one.sweep, 5)) {
         SCOPED_TRACE(step);
         Stage stage = one.build(step);
 
@@ -57,6 +51,25 @@ TEST_P(Atlas, TheRemedyHolds) {
         EXPECT_GT(seen->figures.valid_px, 1000.0) << "a picture with nothing to compare";
         EXPECT_THAT(broken_gates(one, *seen), testing::IsEmpty()) << one.sentence;
     }
+}
+
+class AtlasRefusal : public testing::TestWithParam<Refusal> {
+protected:
+    void SetUp() override {
+        if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
+    }
+};
+
+TEST_P(AtlasRefusal, IsSaidWithItsReason) {
+    const Refusal& one = GetParam();
+    Stage stage = one.build();
+
+    const auto seen = observe(stage, {}, one.id + "_" + one.technique);
+
+    ASSERT_FALSE(seen) << one.technique << " drew it: " << one.sentence;
+    EXPECT_THAT(
+        seen.error().message,
+        testing::HasSubstr(one.technique + ": outside its domain: " + one.reason));
 }
 
 /// Where nothing can be turned off, nothing has to fail.
@@ -72,6 +85,22 @@ std::string id_of(const testing::TestParamInfo<Case>& one) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, Atlas, testing::ValuesIn(all_cases()), id_of);
 INSTANTIATE_TEST_SUITE_P(Cases, AtlasWithout, testing::ValuesIn(cases_with_remedies()), id_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases,
+    AtlasRefusal,
+    testing::ValuesIn(refusals()),
+    [](const testing::TestParamInfo<Refusal>& one) {
+        return one.param.id + "_" + one.param.technique;
+    });
+
+TEST(AtlasLists, NoFailureBothOccursAndCannot) {
+    std::set<std::string> occurring;
+    for (const Case& one : all_cases())
+        EXPECT_TRUE(occurring.insert(one.id).second) << one.id << " is there twice";
+    for (const Impossible& one : impossible())
+        EXPECT_TRUE(occurring.insert(one.id).second) << one.id << " occurs, too";
+}
 
 } // namespace
 } // namespace atlas

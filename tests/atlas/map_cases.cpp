@@ -3,11 +3,11 @@
 // Sources: L. Williams, "Casting Curved Shadows on Curved Surfaces", 1978 (bias); H. Dou et al.,
 // "Adaptive Depth Bias for Shadow Maps", JCGT 2014; M. Valient, ShaderX6.
 //
-// No case: a normal offset that moves a look-up to another face (there is no offset, depth is known
-// at every texel); a border that is smeared over what lies beyond (a map ends where nothing casts).
-// Crawling and flickering are about motion: tests/systems/shadows/cascade_fit_test.cpp.
+// What maps keep of a depth, how they compare it and how large their texels are: map_depth_cases,
+// map_bias_cases, map_texel_cases. Crawling and flickering are about motion:
+// tests/systems/shadows/cascade_fit_test.cpp.
 
-#include "tests/atlas/cases.hpp"
+#include "tests/atlas/map_stage.hpp"
 #include "tests/support/worlds.hpp"
 
 #include <cmath>
@@ -23,19 +23,6 @@ using test_support::floor_of;
 using test_support::sun_at;
 using test_support::usual_camera;
 using test_support::WorldBuilder;
-
-Stage one_map(
-    WorldBuilder& builder,
-    const scene::CameraView& camera,
-    const std::string& light,
-    const std::string& receiver,
-    const std::string& technique,
-    int size) {
-    Stage stage = pinned_stage(std::move(builder.world), camera, light, receiver, technique);
-    stage.level.shadows.scene.map_size = size;
-    stage.level.shadows.scene.cascades = 1;
-    return stage;
-}
 
 /// The floor of an upper storey under a low sun: it darkens the storey below, so the map holds it.
 Stage slanted_floor(double elevation) {
@@ -162,36 +149,6 @@ Gate step_at_most(double visibility) {
         "step between neighbours that truth has not",
         [](const Observation& seen) { return largest_step(seen.comparison); },
         visibility};
-}
-
-Gate false_shadow_at_most(double px) {
-    return {
-        "false shadow inside, px",
-        [](const Observation& seen) { return seen.figures.interior.false_shadow_px; },
-        px};
-}
-
-/// What is lit and yet a quarter dark.
-Gate dimmed_at_most(double px) {
-    return {
-        "lit pixels dimmed, px",
-        [](const Observation& seen) {
-            const measure::Comparison& c = seen.comparison;
-            double dimmed = 0.0;
-            for (std::size_t i = 0; i < c.kind.size(); ++i)
-                if (c.kind[i] == measure::PixelKind::valid && c.truth.visibility[i] == 1.0F
-                    && c.measured.visibility[i] < 0.75F)
-                    ++dimmed;
-            return dimmed;
-        },
-        px};
-}
-
-Gate light_leak_at_most(double px) {
-    return {
-        "light leak inside, px",
-        [](const Observation& seen) { return seen.figures.interior.light_leak_px; },
-        px};
 }
 
 } // namespace

@@ -197,15 +197,6 @@ Gate nothing_dark() {
     return {"dark behind the first receiver, px", dark_px};
 }
 
-Gate eps_at_most(double px) {
-    return {
-        "eps, px of error per px of edge",
-        [](const Observation& seen) {
-            return seen.figures.eps_px.known() ? seen.figures.eps_px.value() : 0.0;
-        },
-        px};
-}
-
 } // namespace
 
 std::vector<Case> texture_cases() {

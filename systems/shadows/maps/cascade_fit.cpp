@@ -191,6 +191,18 @@ DepthRange steady_range(const DepthRange& wanted, const std::optional<DepthRange
         std::exp2(std::ceil(std::log2(wanted.far) * 2.0) / 2.0)};
 }
 
+HeldRange held_range(
+    const DepthRange& wanted, const std::optional<HeldRange>& before, const Remedies& remedies) {
+    if (!before) return {steady_range(wanted, std::nullopt)};
+    const DepthRange& last = before->range;
+    const DepthRange steady = steady_range(wanted, last);
+    if (steady == last || !remedies.on(Remedy::map_held_range)) return {steady};
+    const bool less_does = last.near <= wanted.near && last.far >= wanted.far;
+    if (!less_does) return {{std::min(steady.near, last.near), std::max(steady.far, last.far)}};
+    if (before->frames_too_large + 1 >= kHeldFrames) return {steady};
+    return {last, before->frames_too_large + 1};
+}
+
 int cascade_count(const DepthRange& range) {
     const double octaves = std::log(range.far / range.near) / std::log(2.7);
     return std::clamp(static_cast<int>(std::ceil(octaves)), 1, kMaxCascades);

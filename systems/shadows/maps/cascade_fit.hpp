@@ -34,6 +34,20 @@ DepthRange wanted_range(const ShadowScene& scene);
 /// size while the camera walks.
 DepthRange steady_range(const DepthRange& wanted, const std::optional<DepthRange>& before);
 
+/// A range as a job keeps it from frame to frame.
+struct HeldRange {
+    DepthRange range;
+    int frames_too_large = 0; ///< for which less would have done
+};
+
+/// Frames for which less must do before a range shrinks.
+inline constexpr int kHeldFrames = 60;
+
+/// The range of the next frame: it grows at once and shrinks when less has done for a while, so
+/// that something far away that comes and goes does not resize cascades each time.
+HeldRange held_range(
+    const DepthRange& wanted, const std::optional<HeldRange>& before, const Remedies& remedies);
+
 /// Cascades that cover a range at about the same texel size on screen: one for each factor of 2.7,
 /// at most kMaxCascades.
 int cascade_count(const DepthRange& range);

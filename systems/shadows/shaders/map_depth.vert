@@ -13,6 +13,9 @@ flat out vec2 alpha_cutoff;
 
 void main() {
     gl_Position = map_clip_from_relative * vec4(relative_position(position_mesh), 1.0);
+#ifdef VERTEX_PANCAKING
+    gl_Position.z = min(gl_Position.z, gl_Position.w);
+#endif
 #ifdef ALPHA_MASKED
     uv = uv_mesh;
     alpha_cutoff = uintBitsToFloat(surface.zw);

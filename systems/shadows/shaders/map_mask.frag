@@ -99,7 +99,12 @@ void main() {
     vec3 to_light = map.light - point;
 #endif
     vec3 shaded = surface_direction(surface);
-    Receiver receiver = receiver_at(point, facet_direction(texelFetch(facets, pixel, 0).r), shaded, to_light);
+    vec3 facet = facet_direction(texelFetch(facets, pixel, 0).r);
+#ifdef GUESSED_FACETS
+    facet = cross(dFdx(point), dFdy(point));
+    if (dot(facet, point) > 0.0) facet = -facet; // the side that is seen
+#endif
+    Receiver receiver = receiver_at(point, facet, shaded, to_light);
     // What is turned away gets no light of this lamp, whatever the map says.
     visibility = dot(receiver.normal, to_light) > 0.0 ? light_at(map, receiver) : 0.0;
 #ifdef EVERY_RECEIVER

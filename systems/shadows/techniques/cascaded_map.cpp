@@ -25,14 +25,16 @@ struct Layout {
     int count = 1;
 };
 
-Layout layout_of(
-    const ShadowScene& scene,
-    const scene::ShadowWish& wish,
-    const std::optional<DepthRange>& before) {
+Layout layout_of(const DepthRange& range, const scene::ShadowWish& wish) {
     Layout layout;
-    layout.range = steady_range(wanted_range(scene), before);
+    layout.range = range;
     layout.count = std::clamp(wish.cascades.value_or(cascade_count(layout.range)), 1, kMaxCascades);
     return layout;
+}
+
+/// That of a first frame.
+Layout first_layout(const ShadowScene& scene, const scene::ShadowWish& wish) {
+    return layout_of(steady_range(wanted_range(scene), std::nullopt), wish);
 }
 
 /// Texel of a single-texel map at the pair's receiver, metres across the light: that of the cascade
@@ -58,9 +60,10 @@ public:
     CascadedJob() : MapJob("cascaded_map") {}
 
     [[nodiscard]] bool still_serves(const ShadowRequest& request) const override {
+        const DepthRange last = held_->range;
+        held_ = held_range(wanted_range(request.scene), held_, remedies());
         const auto views = fit_cascades(requested(request), remedies());
-        const Layout layout = layout_of(request.scene, request.wish, range_);
-        if (!(layout.range == *range_) || views.size() != views_.size()) return false;
+        if (!(held_->range == last) || views.size() != views_.size()) return false;
         for (std::size_t i = 0; i < views.size(); ++i)
             if (views[i].min != views_[i].min || views[i].texel != views_[i].texel) return false;
         return true;
@@ -89,7 +92,7 @@ public:
 protected:
     void fit(const ShadowRequest& request, int size) override {
         size_ = size;
-        range_ = layout_of(request.scene, request.wish, range_).range;
+        held_ = held_range(wanted_range(request.scene), held_, remedies());
         axes_ = light_axes(glm::dvec3(light().direction), axes_, remedies());
         views_ = fit_cascades(requested(request), remedies());
     }
@@ -101,7 +104,7 @@ protected:
         return shadows::reaches(views_[static_cast<std::size_t>(layer)], caster);
     }
     [[nodiscard]] double texel_m_of_one(const PairView& pair) const override {
-        return texel_of_one(pair, layout_of(pair.scene, pair.wish, std::nullopt));
+        return texel_of_one(pair, first_layout(pair.scene, pair.wish));
     }
     [[nodiscard]] gpu::Defines mask_defines() const override {
         gpu::Defines defines = {"PARALLEL", fmt::format("MAP_LAYERS={}", layers())};
@@ -127,20 +130,20 @@ private:
         return std::tan(static_cast<double>(light().light.angular_radius));
     }
     [[nodiscard]] CascadeRequest requested(const ShadowRequest& request) const {
-        const Layout layout = layout_of(request.scene, request.wish, range_);
+        const Layout layout = layout_of(held_->range, request.wish);
         return {
             request.scene.camera,
             *axes_,
             request.scene.receiver_bounds,
             caster_bounds(),
             layout.range,
-            layout.count,
+            remedies().on(Remedy::map_cascades) ? layout.count : 1,
             size_,
             soft_tangent()};
     }
 
     int size_ = 0;
-    std::optional<DepthRange> range_;
+    mutable std::optional<HeldRange> held_; ///< counts frames, those that draw nothing included
     std::optional<glm::dmat3> axes_;
     std::vector<ParallelView> views_;
 };
@@ -157,7 +160,7 @@ public:
     predict(const PairView& pair, const CasterGroup& casters) const override {
         if (pair.light.light.kind != scene::LightKind::directional)
             return engine::Error{"it serves directional lights"};
-        const Layout layout = layout_of(pair.scene, pair.wish, std::nullopt);
+        const Layout layout = first_layout(pair.scene, pair.wish);
         return predict_map(pair, casters, texel_of_one(pair, layout), layout.count);
     }
 

@@ -121,7 +121,13 @@ engine::Result<void> CasterTexture::draw_samples(
         frame, fmt::format("{}/shadow_texture/render", light_.name), target, {.depth = 0.0F});
     frame.counters().map_texels += pixels(target.whole());
     return draw_depth(
-        frame, shaders, geometry.textures, draws, list, clip_from_relative, {.fragment = fragment});
+        frame,
+        shaders,
+        geometry.textures,
+        draws,
+        list,
+        clip_from_relative,
+        {.holes = remedies_.on(Remedy::caster_holes), .fragment = fragment});
 }
 
 engine::Result<void> CasterTexture::reduce(

@@ -11,7 +11,10 @@
 namespace shadows {
 
 struct DepthDraws {
-    bool pancaking = true; ///< what is nearer than the near plane keeps its shadow, at depth 1
+    bool pancaking = true;   ///< what is nearer than the near plane keeps its shadow, at depth 1
+    bool per_vertex = false; ///< the same for corners, which bends their triangles
+    bool back_faces = false; ///< instead of front faces
+    bool holes = true;       ///< of alpha-masked materials are left open
     std::string fragment = "shadows/map_depth.frag"; ///< compiled with ALPHA_MASKED where that is
 };
 

@@ -44,6 +44,10 @@ void LocalMapJob::fit(const ShadowRequest& /*request*/, int size) {
         const auto faces = cube_views(light().position, size, border, reach);
         views_.assign(faces.begin(), faces.end());
     }
+    constexpr double kUsualNear = 0.1; // metres
+    if (!remedies().on(Remedy::map_near_casters))
+        for (PyramidView& view : views_)
+            view.near = kUsualNear;
 }
 
 double LocalMapJob::texel_m_of_one(const PairView& pair) const {

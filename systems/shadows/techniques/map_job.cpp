@@ -38,6 +38,21 @@ std::uint64_t looks_per_pixel(MapFilter filter, int soft_taps) {
     return static_cast<std::uint64_t>(search_taps(soft_taps) + soft_taps);
 }
 
+/// What the mask is compiled for where remedies are off.
+void append_naive_ways(const Remedies& remedies, gpu::Defines& defines) {
+    const auto without = [&](Remedy remedy, const char* define) {
+        if (!remedies.on(remedy)) defines.emplace_back(define);
+    };
+    without(Remedy::map_receiver_plane, "FLAT_DEPTH");
+    without(Remedy::map_open_creases, "CLOSED_CREASES");
+    without(Remedy::map_no_constant_bias, "CONSTANT_BIAS=0.2");
+    without(Remedy::map_kernel_plane, "BIAS_OF_ONE_TEXEL");
+    without(Remedy::map_no_normal_offset, "FLAT_DEPTH");
+    without(Remedy::map_no_normal_offset, "NORMAL_OFFSET=2.0");
+    without(Remedy::map_exact_facets, "GUESSED_FACETS");
+    without(Remedy::map_fine_depth, "DEPTH_STEPS=255.0");
+}
+
 } // namespace
 
 std::vector<std::uint32_t> groups_of(const ShadowRequest& request, std::string_view technique) {
@@ -90,6 +105,7 @@ engine::Result<void> MapJob::choose(const ShadowRequest& request) {
             }
         }
     }
+    if (!remedies_.on(Remedy::map_needed_texels)) size_ = kSmallestMap;
     size_ = request.wish.map_size.value_or(size_);
     return {};
 }
@@ -134,9 +150,7 @@ MapJob::render(gpu::Frame& frame, gpu::ShaderLibrary& shaders, const render::Geo
     if (filter_ == MapFilter::pcf) defines.push_back(fmt::format("PCF_WIDTH={}", kPcfWidth));
     if (filter_ == MapFilter::pcss) add_soft_defines(defines);
     if (serves_all_) defines.emplace_back("EVERY_RECEIVER");
-    if (!remedies_.on(Remedy::map_receiver_plane)) defines.emplace_back("FLAT_DEPTH");
-    if (!remedies_.on(Remedy::map_open_creases)) defines.emplace_back("CLOSED_CREASES");
-    if (!remedies_.on(Remedy::map_no_constant_bias)) defines.emplace_back("CONSTANT_BIAS=0.2");
+    append_naive_ways(remedies_, defines);
     const auto mask = shaders.graphics("shadows/map_mask.vert", "shadows/map_mask.frag", defines);
     if (!mask) return mask.error();
     mask_ = *mask;
@@ -181,7 +195,11 @@ engine::Result<void> MapJob::render_layer(
         *into.draws,
         list,
         clip_from_relative,
-        {.pancaking = remedies_.on(Remedy::map_pancaking)});
+        {.pancaking = remedies_.on(Remedy::map_pancaking)
+                      && (!local || remedies_.on(Remedy::map_near_casters)),
+         .per_vertex = !remedies_.on(Remedy::map_fragment_pancaking),
+         .back_faces = !remedies_.on(Remedy::map_front_faces),
+         .holes = remedies_.on(Remedy::caster_holes)});
 }
 
 void MapJob::apply(

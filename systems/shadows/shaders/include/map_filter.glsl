@@ -13,12 +13,23 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2DArray shadow_map;
 float plane_depth(MapPlace at, vec2 texel) {
 #ifdef FLAT_DEPTH
     return at.depth;
+#elif defined(BIAS_OF_ONE_TEXEL)
+    return at.depth + 0.5 * (abs(at.slope.x) + abs(at.slope.y)) + at.slack;
 #else
     vec2 away = texel - at.texel;
     float depth = at.depth + dot(at.slope, away) + at.slack;
 #ifndef CLOSED_CREASES
     depth += at.rise * (abs(away.x) + abs(away.y));
 #endif
+    return depth;
+#endif
+}
+
+// What a map keeps of a depth.
+vec4 kept(vec4 depth) {
+#ifdef DEPTH_STEPS
+    return round(depth * DEPTH_STEPS) / DEPTH_STEPS;
+#else
     return depth;
 #endif
 }
@@ -32,7 +43,7 @@ vec4 passes_at(MapPlace at, vec2 texel, vec4 stored) {
         plane_depth(at, texel + vec2(1.0, 0.0)),
         plane_depth(at, texel + vec2(0.0, 1.0)),
         plane_depth(at, texel + vec2(1.0, 1.0)));
-    return step(stored, receiver);
+    return step(kept(stored), receiver);
 }
 
 #ifdef FILTER_PCSS
@@ -47,7 +58,7 @@ float light_through(MapPlace at, float per_map) {
 #ifdef FILTER_NEAREST
     vec2 centre = floor(at.texel) + 0.5;
     float stored = textureLod(shadow_map, vec3(centre * per_map, at.layer), 0.0).r;
-    return step(stored, plane_depth(at, centre));
+    return step(kept(vec4(stored)).x, plane_depth(at, centre));
 #else
     vec2 first = floor(at.texel - 0.5) + 0.5;
     vec2 part = at.texel - first;

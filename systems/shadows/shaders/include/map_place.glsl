@@ -55,8 +55,12 @@ struct Across {
 
 Across across_light(MapInputs map, Receiver receiver) {
     Across seen;
-    seen.metres = vec2(dot(map.right, receiver.point), dot(map.up, receiver.point));
-    seen.depth = dot(map.along, receiver.point) * map.depth.x + map.depth.y;
+    vec3 point = receiver.point;
+#ifdef NORMAL_OFFSET
+    point += normalize(receiver.normal) * (NORMAL_OFFSET / map.placement[MAP_LAYERS - 1].x);
+#endif
+    seen.metres = vec2(dot(map.right, point), dot(map.up, point));
+    seen.depth = dot(map.along, point) * map.depth.x + map.depth.y;
 #ifdef CONSTANT_BIAS
     seen.depth -= CONSTANT_BIAS * map.depth.x;
 #endif

@@ -212,6 +212,40 @@ TEST(SteadyRange, HoldsWhileItFitsAndMovesInSteps) {
     EXPECT_GT(nearer.near, first.near * 0.25);
 }
 
+/// The ranges of frames in which a far thing is there every other time.
+std::vector<HeldRange> with_a_bird_that_blinks(const Remedies& remedies) {
+    std::vector<HeldRange> frames;
+    std::optional<HeldRange> held;
+    for (int frame = 0; frame < 3 * kHeldFrames; ++frame) {
+        held = held_range({2.0, frame % 2 == 0 ? 90.0 : 30.0}, held, remedies);
+        frames.push_back(*held);
+    }
+    return frames;
+}
+
+TEST(HeldRange, StaysWhileSomethingFarComesAndGoes) {
+    for (const HeldRange& frame : with_a_bird_that_blinks({}))
+        EXPECT_GE(frame.range.far, 90.0);
+}
+
+TEST(HeldRange, ChangesInEveryFrameWithoutItsRemedy) {
+    const auto frames = with_a_bird_that_blinks(Remedies().without(Remedy::map_held_range));
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        EXPECT_NE(frames[i].range, frames[i - 1].range) << i;
+}
+
+TEST(HeldRange, GrowsAtOnceAndShrinksWhenLessHasDoneForAWhile) {
+    std::optional<HeldRange> held = held_range({2.0, 30.0}, std::nullopt, {});
+    const DepthRange small = held->range;
+    held = held_range({2.0, 90.0}, held, {});
+    EXPECT_GE(held->range.far, 90.0);
+    for (int frame = 1; frame < kHeldFrames; ++frame)
+        held = held_range({2.0, 30.0}, held, {});
+    EXPECT_GE(held->range.far, 90.0);
+    held = held_range({2.0, 30.0}, held, {});
+    EXPECT_EQ(held->range, small);
+}
+
 TEST(SplitDepths, GrowByOneFactor) {
     const auto depths = split_depths({1.0, 81.0}, 4);
     ASSERT_EQ(depths.size(), 4U);
