@@ -88,6 +88,7 @@ Stage card_under_lamp(double height) {
     Stage stage = pinned_stage(
         std::move(builder.world), usual_camera(kPictureSize), "lamp", "floor", "shadow_texture");
     stage.level.shadows.scene.samples = kTaps;
+    stage.level.shadows.scene.map_size = 256; // so fine that the number of points decides
     return stage;
 }
 
