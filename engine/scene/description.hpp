@@ -26,6 +26,7 @@ struct ShadowWish {
     std::optional<std::string> filter;             ///< "nearest", "bilinear", "pcf", "pcss"
     std::optional<int> samples;                    ///< light samples of soft techniques
     std::optional<int> cascades;
+    std::optional<int> proxy; ///< level of simplified casters of volumes; 0: the casters themselves
 };
 
 struct LightDescription {

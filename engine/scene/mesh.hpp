@@ -5,6 +5,7 @@
 
 #include "engine/core/geometry.hpp"
 #include "engine/scene/mesh_health.hpp"
+#include "engine/scene/proxy.hpp"
 
 #include <glm/glm.hpp>
 
@@ -68,6 +69,7 @@ struct Mesh {
     std::vector<FlatPatch> patches;   ///< at most kMaxPatches
     bool has_rest = true;             ///< some of the mesh lies in no patch
     MeshHealth health;                ///< of all triangles together
+    std::vector<Proxy> proxies;       ///< of heroes, coarser and coarser; see make_proxies()
 
     [[nodiscard]] bool deforms() const { return !influences.empty() || !morph_targets.empty(); }
 };

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <unordered_map>
 
 namespace scene {
@@ -93,6 +94,41 @@ std::vector<glm::dvec4> planes_of(
     return list;
 }
 
+/// A triangle's unit normal; none of one without an area.
+glm::dvec3 normal_of(
+    std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners, std::size_t t) {
+    const glm::dvec3 a(positions[corners[3 * t]]);
+    const glm::dvec3 across = glm::cross(
+        glm::dvec3(positions[corners[3 * t + 1]]) - a,
+        glm::dvec3(positions[corners[3 * t + 2]]) - a);
+    const double length = glm::length(across);
+    return length > 0.0 ? across / length : glm::dvec3(0.0);
+}
+
+/// Fills in what the silhouette is on average: an edge is in it from as many directions as lie
+/// between its triangles, and is seen at pi / 4 of its length. Source: integral geometry, as in
+/// Cauchy's formula for the mean projection.
+void measure_outline(
+    std::span<const glm::vec3> positions,
+    std::span<const std::uint32_t> corners,
+    std::span<const TriangleSide> sides,
+    MeshHealth& health) {
+    for_each_edge(sides, [&](std::span<const TriangleSide> of_edge) {
+        double share = 1.0; // of all directions; an edge that is no crease between two is always in
+        if (of_edge.size() == 2) {
+            const glm::dvec3 a = normal_of(positions, corners, of_edge[0].triangle);
+            const glm::dvec3 b = normal_of(positions, corners, of_edge[1].triangle);
+            const double turn = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+            share = turn / std::numbers::pi;
+        }
+        const glm::dvec3 along =
+            glm::dvec3(positions[static_cast<std::uint32_t>(of_edge[0].edge)])
+            - glm::dvec3(positions[static_cast<std::uint32_t>(of_edge[0].edge >> 32U)]);
+        health.outline_edges += share;
+        health.outline += share * glm::length(along) * std::numbers::pi / 4.0;
+    });
+}
+
 /// No corner lies before the plane of any triangle.
 bool is_convex(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners) {
     constexpr double kFlat = 1e-5; // of the mesh's size
@@ -154,11 +190,13 @@ examine_mesh(std::span<const glm::vec3> positions, std::span<const std::uint32_t
     const std::vector<std::uint32_t> welded = weld_by_position(positions);
     const std::vector<std::uint32_t> corners = sound_corners(indices, welded);
     health.degenerate_triangles = health.triangles - static_cast<std::uint32_t>(corners.size() / 3);
-    for_each_edge(sides_by_edge(corners), [&health](std::span<const TriangleSide> sides) {
+    const std::vector<TriangleSide> all_sides = sides_by_edge(corners);
+    for_each_edge(all_sides, [&health](std::span<const TriangleSide> sides) {
         if (sides.size() == 1) ++health.open_edges;
         if (sides.size() > 2) ++health.non_manifold_edges;
         if (sides.size() == 2 && sides[0].rising == sides[1].rising) ++health.flipped_edges;
     });
+    measure_outline(positions, corners, all_sides, health);
     health.doubled_triangles = count_doubled(corners);
     health.remainder_triangles = count_refused(positions, corners);
     health.convex = health.closed() && is_convex(positions, corners);

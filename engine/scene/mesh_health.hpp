@@ -25,8 +25,10 @@ struct MeshHealth {
     std::uint32_t doubled_triangles =
         0; ///< triangles that share all three corners with an earlier one
     std::uint32_t remainder_triangles = 0; ///< refused by the half-edge structure
-    bool convex = false; ///< closed, and no part of it can darken another; false where that would
-                         ///< take too long to find out
+    double outline_edges = 0.0; ///< edges of its silhouette, the mean over all directions
+    double outline = 0.0; ///< their length as seen, the mean over all directions; in mesh units
+    bool convex = false;  ///< closed, and no part of it can darken another; false where that would
+                          ///< take too long to find out
 
     /// Safe for a stencil shadow volume: a surface without edges, holes or contradictions.
     [[nodiscard]] bool closed() const {

@@ -11,6 +11,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -193,6 +194,19 @@ private:
     Warnings warnings_;
 };
 
+/// Makes the proxies of every mesh that a hero shows.
+void simplify_heroes(World& world) {
+    std::set<std::uint32_t> meshes;
+    world.registry.each<MeshInstance, ShadowRole>(
+        [&](ecs::Entity, const MeshInstance& instance, const ShadowRole& role) {
+            if (role.hero) meshes.insert(instance.mesh);
+        });
+    for (const std::uint32_t index : meshes) {
+        Mesh& mesh = world.assets.meshes[index];
+        mesh.proxies = make_proxies(mesh);
+    }
+}
+
 } // namespace
 
 engine::Result<Warnings> build_world(
@@ -209,6 +223,7 @@ engine::Result<Warnings> build_world(
     for (const CameraDescription& camera : description.cameras)
         builder.add(camera, camera.camera);
     builder.spread_roles();
+    simplify_heroes(world);
     update(world, 0.0F);
     return std::move(builder.warnings());
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numbers>
 
 namespace scene {
 namespace {
@@ -113,6 +114,25 @@ TEST(MeshHealth, ABoxIsClosedOnlyAfterTheWeld) {
 
     EXPECT_EQ(health.open_edges_by_index, 24U);
     EXPECT_TRUE(health.closed());
+}
+
+TEST(MeshHealth, ABoxShowsSixEdgesOnAverageAndAnOutlineOfAQuarterOfItsSides) {
+    const MeshHealth health = make_box({1, 2, 3}).health;
+
+    // Four edges along each axis, each in the silhouette from half of all directions.
+    EXPECT_NEAR(health.outline_edges, 6.0, 1e-6);
+    EXPECT_NEAR(health.outline, 4.0 * (1.0 + 2.0 + 3.0) * 0.5 * std::numbers::pi / 4.0, 1e-6);
+}
+
+TEST(MeshHealth, ABallsOutlineIsACircle) {
+    EXPECT_NEAR(make_sphere(2.0F, 64).health.outline, 2.0 * std::numbers::pi * 2.0, 0.05);
+}
+
+TEST(MeshHealth, TheRimOfASheetIsAlwaysInItsOutline) {
+    const MeshHealth health = make_plane({1, 1}).health;
+
+    EXPECT_NEAR(health.outline_edges, 4.0, 1e-6);
+    EXPECT_NEAR(health.outline, std::numbers::pi, 1e-6);
 }
 
 TEST(MeshHealth, NothingIsNotClosed) {
