@@ -67,6 +67,7 @@ public:
         };
         for (std::size_t i = 0; i < corners.size(); i += 3)
             halfedges_.add_face(handle(corners[i]), handle(corners[i + 1]), handle(corners[i + 2]));
+        left_ = halfedges_.n_faces();
         halfedges_.request_face_normals();
         halfedges_.update_face_normals();
         decimater_.add(quadrics_);
@@ -77,13 +78,16 @@ public:
 
     /// The triangles that are left when there should be no more than `count`.
     std::vector<std::uint32_t> reduce_to(std::size_t count) {
-        if (ready_) decimater_.decimate_to_faces(0, count);
+        // The decimater counts from all faces, also those that an earlier call has removed.
+        const std::size_t gone = halfedges_.n_faces() - left_;
+        if (ready_) decimater_.decimate_to_faces(0, count + gone);
         std::vector<std::uint32_t> corners;
         for (const auto face : halfedges_.faces()) {
             if (face.deleted()) continue;
             for (const auto vertex : face.vertices())
                 corners.push_back(vertices_[static_cast<std::size_t>(vertex.idx())]);
         }
+        left_ = corners.size() / 3;
         return corners;
     }
 
@@ -93,10 +97,11 @@ private:
     Decimater decimater_{halfedges_};
     OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadrics_;
     OpenMesh::Decimater::ModNormalFlippingT<HalfEdgeMesh>::Handle turning_;
+    std::size_t left_ = 0; ///< faces that are not removed
     bool ready_ = false;
 };
 
-/// The farthest that a point of the triangles was found from `surface`.
+/// The farthest that a point of a closed surface was found from another one.
 /// @param spacing of the points, mesh units
 double farthest(
     std::span<const glm::vec3> positions,
@@ -104,20 +109,32 @@ double farthest(
     const NearestTriangle& surface,
     double spacing) {
     double most = 0.0;
+    std::vector<bool> tried(positions.size(), false);
     for (std::size_t i = 0; i < corners.size(); i += 3) {
+        // Of a closed surface each edge is run once each way: its points are tried going up.
+        const bool ab_up = corners[i] < corners[i + 1];
+        const bool bc_up = corners[i + 1] < corners[i + 2];
+        const bool ca_up = corners[i + 2] < corners[i];
         const glm::dvec3 a(positions[corners[i]]);
         const glm::dvec3 ab = glm::dvec3(positions[corners[i + 1]]) - a;
         const glm::dvec3 ac = glm::dvec3(positions[corners[i + 2]]) - a;
         const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
         const int steps = static_cast<int>(
             std::clamp(std::ceil(longest / spacing), 2.0, static_cast<double>(kMostSteps)));
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (tried[corners[i + k]]) continue;
+            tried[corners[i + k]] = true;
+            most = std::max(most, surface.distance(positions[corners[i + k]]));
+        }
         for (int u = 0; u <= steps; ++u)
-            for (int v = 0; u + v <= steps; ++v)
-                most = std::max(
-                    most,
-                    surface.distance(
-                        a + ab * (static_cast<double>(u) / steps)
-                        + ac * (static_cast<double>(v) / steps)));
+            for (int v = 0; u + v <= steps; ++v) {
+                const int w = steps - u - v;
+                if (u == steps || v == steps || w == steps) continue; // a corner
+                if ((v == 0 && !ab_up) || (w == 0 && !bc_up) || (u == 0 && !ca_up)) continue;
+                const glm::dvec3 point = a + ab * (static_cast<double>(u) / steps)
+                                         + ac * (static_cast<double>(v) / steps);
+                most = std::max(most, surface.distance(point));
+            }
     }
     return most;
 }

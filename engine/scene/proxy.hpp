@@ -31,7 +31,7 @@ struct Proxy {
 
 /// Coarser and coarser; fewer than kProxyLevels where the mesh does not give more, none for one
 /// that deforms (the deviation of a pose is not known), is not closed, or is small already.
-/// Cost: about 10 us per triangle of the mesh; once, when a hero is loaded.
+/// Cost: about 30 us per triangle of the mesh; once, when a hero is loaded.
 /// Source: M. Garland and P. Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997,
 /// as OpenMesh has it.
 std::vector<Proxy> make_proxies(const Mesh& mesh);

@@ -105,6 +105,7 @@ TEST(Proxy, HasAQuarterOfTheTrianglesOfTheLevelBefore) {
         double before = mesh.health.triangles;
         for (const Proxy& proxy : proxies) {
             EXPECT_LE(proxy.triangle_count(), 0.26 * before);
+            EXPECT_GE(proxy.triangle_count(), 0.24 * before - 2.0);
             before = proxy.triangle_count();
         }
     }
