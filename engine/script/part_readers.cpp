@@ -37,6 +37,7 @@ scene::ShadowWish read_wish(TableReader& reader) {
     wish.filter = reader.text("filter");
     wish.samples = reader.optional_integer("samples");
     wish.cascades = reader.optional_integer("cascades");
+    wish.proxy = reader.optional_integer("proxy");
     if (wish.technique && wish.never)
         for (const std::string& never : *wish.never)
             if (never == *wish.technique)
@@ -237,7 +238,7 @@ scene::RuleDescription read_rule(TableReader& reader) {
     rule.shadow = read_wish(reader);
     bool says_something = false;
     for (const char* field :
-         {"technique", "never", "error_px", "map_size", "filter", "samples", "cascades"})
+         {"technique", "never", "error_px", "map_size", "filter", "samples", "cascades", "proxy"})
         says_something = says_something || reader.has(field);
     if (!says_something)
         reader.complain(

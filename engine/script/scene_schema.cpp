@@ -60,7 +60,12 @@ std::vector<Field> wish_fields(const SceneVocabulary& vocabulary) {
          .type = FieldType::integer,
          .text = "Maps that share the view of a sun. One is coarse near the camera, four cost four "
                  "passes.",
-         .range = {.min = 1.0, .max = 4.0}}};
+         .range = {.min = 1.0, .max = 4.0}},
+        {.name = "proxy",
+         .type = FieldType::integer,
+         .text = "How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 "
+                 "is cheapest and coarsest.",
+         .range = {.min = 0.0, .max = 3.0}}};
 }
 
 Kind scene_kind() {

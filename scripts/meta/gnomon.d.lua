@@ -123,6 +123,7 @@ function g.camera(fields) end
 ---@field filter? "nearest"|"bilinear"|"pcf"|"pcss" How shadow maps are looked up: hard and cheap first, soft and dear last. (one of "nearest", "bilinear", "pcf", "pcss")
 ---@field samples? integer Points on the light that soft techniques try. Few show as bands, many cost time. (a whole number, 1 to 1024)
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
+---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 
 ---A wish for some shadows only. What is left out matches everything; later rules win.
 ---@param fields gnomon.rule
@@ -166,6 +167,7 @@ function g.player(fields) end
 ---@field filter? "nearest"|"bilinear"|"pcf"|"pcss" How shadow maps are looked up: hard and cheap first, soft and dear last. (one of "nearest", "bilinear", "pcf", "pcss")
 ---@field samples? integer Points on the light that soft techniques try. Few show as bands, many cost time. (a whole number, 1 to 1024)
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
+---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 
 ---What a designer asks of the shadows of one light.
 ---@class (exact) gnomon.light_shadow
@@ -177,6 +179,7 @@ function g.player(fields) end
 ---@field filter? "nearest"|"bilinear"|"pcf"|"pcss" How shadow maps are looked up: hard and cheap first, soft and dear last. (one of "nearest", "bilinear", "pcf", "pcss")
 ---@field samples? integer Points on the light that soft techniques try. Few show as bands, many cost time. (a whole number, 1 to 1024)
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
+---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 
 ---Something in a running level, found by its name.
 ---@class (exact) gnomon.handle

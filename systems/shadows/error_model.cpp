@@ -12,8 +12,8 @@ double radius_of(const engine::WorldAabb& box) {
     return glm::length(box.extent()) * 0.5;
 }
 
-/// How much larger the shadow is than its caster: (a + b) / a with a from the light to the caster
-/// and b from there to the receiver; 1 for directional lights.
+} // namespace
+
 double magnification(const PairView& pair, const CasterGroup& casters) {
     if (pair.light.light.kind == scene::LightKind::directional) return 1.0;
     const double a = glm::length(casters.bounds.centre() - pair.light.position);
@@ -21,8 +21,6 @@ double magnification(const PairView& pair, const CasterGroup& casters) {
     const double nearest = std::max(a - radius_of(casters.bounds), 0.01 * a);
     return std::max(1.0, reach / std::max(nearest, 1e-6));
 }
-
-} // namespace
 
 double screen_area_px(const scene::CameraView& camera, const engine::WorldAabb& box) {
     const double whole = static_cast<double>(camera.width) * camera.height;

@@ -13,6 +13,10 @@ struct ShadowFootprint {
     double length_px = 0.0; ///< of its edge
 };
 
+/// How much larger the shadow is than its caster: (a + b) / a with a from the light to the caster
+/// and b from there to the receiver; 1 for directional lights.
+double magnification(const PairView& pair, const CasterGroup& casters);
+
 /// Area on screen of a box's bounding sphere, pixels; at most the whole picture.
 double screen_area_px(const scene::CameraView& camera, const engine::WorldAabb& box);
 

@@ -30,12 +30,20 @@ engine::Result<Prediction> predict_all(
     const Pair& pair,
     const FramePlan::LightGroups& light) {
     Prediction sum;
+    std::size_t casters_before = 0;
     for (const std::uint32_t group : pair.groups) {
         const auto part = technique.predict(view, light.groups[group]);
         if (!part) return part.error();
         sum.error_px = std::max(sum.error_px, part->error_px);
         sum.error_area_px += part->error_area_px;
         sum.cost += part->cost;
+        if (!part->proxy_levels.empty()) {
+            sum.proxy_levels.resize(casters_before);
+            sum.proxy_levels.insert(
+                sum.proxy_levels.end(), part->proxy_levels.begin(), part->proxy_levels.end());
+        }
+        casters_before += light.groups[group].casters.size();
+        if (!part->note.empty()) sum.note += (sum.note.empty() ? "" : "; ") + part->note;
     }
     return sum;
 }
@@ -123,6 +131,7 @@ Plan pick_pair(
         return plan;
     }
     plan.reason = why(*chosen, wish, plan.budget_px);
+    if (!chosen->predicted.note.empty()) plan.reason += "; " + chosen->predicted.note;
     plan.entries.push_back({chosen->technique->traits().name, pair.groups, chosen->predicted});
     for (const Option& option : options)
         if (&option != chosen)

@@ -33,6 +33,10 @@ struct Prediction {
     double error_px = 0.0;      ///< expected edge displacement on screen, pixels
     double error_area_px = 0.0; ///< expected sum of |V - V*| over the screen, pixels
     Cost cost;
+    /// Of the groups' casters, one after the other: which of their proxies volumes are made of; 0,
+    /// or nothing from here on: of themselves.
+    std::vector<std::uint8_t> proxy_levels;
+    std::string note; ///< what people should know about it, one clause; mostly empty
 };
 
 /// One technique at work for some of the casters of a pair.

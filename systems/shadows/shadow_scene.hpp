@@ -7,10 +7,12 @@
 #include "engine/scene/camera.hpp"
 #include "engine/scene/description.hpp"
 #include "engine/scene/light.hpp"
+#include "engine/scene/proxy.hpp"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,6 +21,12 @@
 namespace shadows {
 
 using LightView = scene::PlacedLight;
+
+/// A simplified caster; see scene::Proxy.
+struct ProxyView {
+    std::uint32_t triangles = 0; ///< 0: there is none
+    double deviation = 0.0;      ///< metres
+};
 
 /// A mesh that blocks light.
 struct CasterView {
@@ -34,6 +42,14 @@ struct CasterView {
     bool deforms = false;
     bool alpha_masked = false;
     std::uint32_t triangles = 0;
+    double outline_edges = 6.0; ///< of its silhouette, on average; 6 are those of a box
+    double outline_share = 1.0; ///< length of its silhouette in those of its box
+    std::array<ProxyView, scene::kProxyLevels> proxies; ///< coarser and coarser
+
+    [[nodiscard]] int proxy_count() const {
+        return static_cast<int>(std::count_if(
+            proxies.begin(), proxies.end(), [](const auto& proxy) { return proxy.triangles > 0; }));
+    }
 };
 
 /// A flat patch of a mesh, or the rest of it, that shows shadows.

@@ -17,6 +17,7 @@ void overlay(scene::ShadowWish& below, const scene::ShadowWish& above) {
     overlay(below.filter, above.filter);
     overlay(below.samples, above.samples);
     overlay(below.cascades, above.cascades);
+    overlay(below.proxy, above.proxy);
 }
 
 /// "hero/arm#2" belongs to the model "hero", and to "hero/arm".

@@ -56,6 +56,7 @@ std::string fingerprint(
             put(static_cast<std::uint32_t>(entry.caster_groups.size()));
             for (const std::uint32_t group : entry.caster_groups)
                 put(group);
+            text.append(entry.predicted.proxy_levels.begin(), entry.predicted.proxy_levels.end());
         }
     }
     return text;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace shadows {
@@ -29,6 +31,18 @@ bool two_sided(const scene::Assets& assets, const scene::Mesh& mesh) {
         });
 }
 
+/// The most that a length of the mesh may grow. Source: the largest singular value; where axes stay
+/// at right angles that of an axis, else at most the root of the sum of squares (Frobenius).
+double largest_scale(const glm::dmat4& world_from_mesh) {
+    const glm::dmat3 linear(world_from_mesh);
+    const glm::dmat3 products = glm::transpose(linear) * linear;
+    const double sum = products[0][0] + products[1][1] + products[2][2];
+    const double skew =
+        std::max({std::abs(products[0][1]), std::abs(products[0][2]), std::abs(products[1][2])});
+    const double most = std::max({products[0][0], products[1][1], products[2][2]});
+    return std::sqrt(skew <= 1e-6 * most ? most : sum);
+}
+
 CasterView
 make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& world_from_mesh) {
     const auto mesh_index = world.registry.get<scene::MeshInstance>(entity).mesh;
@@ -47,6 +61,15 @@ make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& wor
     caster.convex = mesh.health.convex && !caster.deforms;
     caster.alpha_masked = alpha_masked(world.assets, mesh);
     caster.triangles = mesh.health.triangles;
+    caster.outline_edges = mesh.health.outline_edges;
+    const glm::vec3 sides = mesh.bounds.extent();
+    const double of_box = static_cast<double>(sides.x + sides.y + sides.z) * std::numbers::pi / 2.0;
+    caster.outline_share = of_box > 0.0 ? mesh.health.outline / of_box : 0.0;
+    const double scale = mesh.proxies.empty() ? 0.0 : largest_scale(world_from_mesh);
+    for (std::size_t i = 0; i < mesh.proxies.size(); ++i)
+        caster.proxies[i] = {
+            mesh.proxies[i].triangle_count(),
+            static_cast<double>(mesh.proxies[i].deviation) * scale};
     return caster;
 }
 

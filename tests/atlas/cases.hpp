@@ -26,6 +26,7 @@ std::vector<Case> soft_cases();
 std::vector<Case> sheet_cases();
 std::vector<Case> texture_cases();
 std::vector<Case> volume_cases();
+std::vector<Case> volume_mesh_cases();
 
 std::vector<Refusal> refusals();
 std::vector<Impossible> impossible();
@@ -43,7 +44,8 @@ inline std::vector<Case> all_cases() {
           soft_cases(),
           sheet_cases(),
           texture_cases(),
-          volume_cases()})
+          volume_cases(),
+          volume_mesh_cases()})
         cases.insert(cases.end(), some.begin(), some.end());
     return cases;
 }

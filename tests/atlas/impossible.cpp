@@ -16,9 +16,6 @@ std::vector<Impossible> impossible() {
         {"T6",
          "the side of a box that is turned away from the lamp is darkened twice",
          "a mask lowers the light's own share alone, and a side that is turned away has none"},
-        {"V3",
-         "caps beyond the far plane are cut away",
-         "depth is reversed and infinite; there is no far plane"},
         {"M9",
          "what lies beyond the map's border or beyond its far plane is smeared or dark",
          "maps cover what casts and receives; a border is never looked up, and depth 0 lets all "

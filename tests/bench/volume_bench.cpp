@@ -6,8 +6,10 @@
 
 #include "engine/scene/primitives.hpp"
 #include "systems/shadows/volumes/shadow_volume.hpp"
+#include "systems/shadows/volumes/start_count.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -80,11 +82,47 @@ void surface(benchmark::State& state) {
         benchmark::DoNotOptimize(make_caster_surface(hero()));
 }
 
+/// The eye is in the ring's shadow: what it is counted from is found anew in every frame.
+void eye_in_shadow(benchmark::State& state) {
+    const glm::dvec4 light(0.3, 1.0, 0.1, 0.0);
+    ShadowVolume volume;
+    VolumeBuilder().build(hero_surface(), hero().positions, light, false, volume);
+    scene::CameraView camera;
+    camera.position = glm::dvec3(1.0, 0.0, 0.0) - 2.0 * glm::dvec3(light);
+    std::optional<int> count;
+    for ([[maybe_unused]] auto iteration : state) {
+        count = start_count(
+            camera,
+            volume,
+            hero().positions,
+            glm::dmat4(1.0),
+            light,
+            {glm::dvec3(hero().bounds.min), glm::dvec3(hero().bounds.max)});
+        benchmark::DoNotOptimize(count);
+    }
+    state.counters["count"] = count.value_or(-1);
+    report(state, volume);
+}
+
+/// Once per hero.
+void proxies(benchmark::State& state) {
+    std::vector<scene::Proxy> made;
+    for ([[maybe_unused]] auto iteration : state)
+        made = scene::make_proxies(hero());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        state.counters[fmt::format("triangles {}", i + 1)] = made[i].triangle_count();
+        state.counters[fmt::format("mm off {}", i + 1)] =
+            1000.0 * static_cast<double>(made[i].deviation);
+    }
+}
+
 BENCHMARK(sun_moves)->Unit(benchmark::kMillisecond);
 BENCHMARK(lamp_moves)->Unit(benchmark::kMillisecond);
 BENCHMARK(lamp_moves_inside)->Unit(benchmark::kMillisecond);
 BENCHMARK(pose_changes)->Unit(benchmark::kMillisecond);
+BENCHMARK(eye_in_shadow)->Unit(benchmark::kMillisecond);
 BENCHMARK(surface)->Unit(benchmark::kMillisecond);
+BENCHMARK(proxies)->Unit(benchmark::kMillisecond);
 
 } // namespace
 

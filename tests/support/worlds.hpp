@@ -63,8 +63,8 @@ inline WorldBuilder floor_of(float side) {
     return builder;
 }
 
-/// Adds `part`, moved by `offset`, to a mesh: one entity, several solids.
-inline void append(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& offset) {
+/// Adds `part`, moved by `offset`, to a mesh that is not finished yet.
+inline void add_part(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& offset) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     for (const glm::vec3& position : part.positions)
         mesh.positions.push_back(position + offset);
@@ -75,6 +75,11 @@ inline void append(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& 
     mesh.submeshes.clear();
     mesh.patches.clear();
     mesh.patch_ids.clear();
+}
+
+/// Adds `part`, moved by `offset`, to a mesh: one entity, several solids.
+inline void append(scene::Mesh& mesh, const scene::Mesh& part, const glm::vec3& offset) {
+    add_part(mesh, part, offset);
     scene::finish_mesh(mesh);
 }
 

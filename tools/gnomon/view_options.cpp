@@ -57,6 +57,7 @@ scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
     else if (technique != "auto")
         wish.technique = technique;
     wish.map_size = map_size;
+    wish.proxy = proxy;
     wish.cascades = cascades;
     wish.filter = filter;
     wish.samples = samples;
@@ -78,7 +79,9 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
         .add_option(
             "--technique",
             options.technique,
-            "auto, map, or the name of a technique; map@1024, map@1024x2:pcf and auto@0.5 say more")
+            "auto, map, or the name of a technique; map@1024, map@1024x2:pcf, volume@1 and "
+            "auto@0.5 "
+            "say more")
         ->capture_default_str();
     command.add_option("--map-size", options.map_size, "texels per side of shadow maps")
         ->check(CLI::Range(16, 16384));
@@ -117,6 +120,17 @@ engine::Result<ShadowOptions> options_from_word(
             fmt::join(words, ", "),
             engine::did_you_mean(options.technique, words))};
     if (setting.empty()) return options;
+    if (options.technique == "volume") {
+        options.proxy = whole_number(std::string_view(setting).substr(1)).value_or(-1);
+        if (*options.proxy < 0 || *options.proxy > static_cast<int>(scene::kProxyLevels))
+            return engine::Error{fmt::format(
+                "--technique {}: '{}' after '@' is no level of simplified casters; write volume@0 "
+                "(the casters themselves) to volume@{}",
+                word,
+                setting.substr(1),
+                scene::kProxyLevels)};
+        return options;
+    }
     const std::size_t colon = std::min(setting.find(':'), setting.size());
     if (colon < setting.size()) options.filter = setting.substr(colon + 1);
     const std::string numbers = setting.substr(1, colon - 1);

@@ -30,6 +30,7 @@ struct ViewOptions {
 struct ShadowOptions {
     std::string technique = "auto"; ///< its name alone
     std::optional<int> map_size;
+    std::optional<int> proxy;
     std::optional<int> cascades;
     std::optional<std::string> filter;
     std::optional<int> samples;

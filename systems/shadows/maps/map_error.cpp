@@ -139,6 +139,10 @@ double texel_footprint_px(const PairView& pair, double texel_m) {
     return texel_m / std::sqrt(cosine_at(pair)) * pixels_per_metre(pair);
 }
 
+double length_px(const PairView& pair, double across_m) {
+    return across_m / cosine_at(pair) * pixels_per_metre(pair);
+}
+
 double penumbra_px(const PairView& pair, const CasterGroup& casters) {
     const LightView& light = pair.light;
     const glm::dvec3 between = pair.receiver.bounds.centre() - casters.bounds.centre();
@@ -150,7 +154,7 @@ double penumbra_px(const PairView& pair, const CasterGroup& casters) {
         const double before = std::max(glm::length(casters.bounds.centre() - light.position), 1e-3);
         width_m = 2.0 * static_cast<double>(light.light.radius) * glm::length(between) / before;
     }
-    return width_m / cosine_at(pair) * pixels_per_metre(pair);
+    return length_px(pair, width_m);
 }
 
 int map_size_for(

@@ -52,6 +52,9 @@ double ramp_texels(MapFilter filter);
 /// @param texel_m its size across the light at the receiver, metres
 double texel_footprint_px(const PairView& pair, double texel_m);
 
+/// A length across the light at the receiver, as long as the receiver's slant may make it, pixels.
+double length_px(const PairView& pair, double across_m);
+
 /// Width of the light's penumbra on the receiver, pixels; 0 for hard lights.
 double penumbra_px(const PairView& pair, const CasterGroup& casters);
 

@@ -14,6 +14,9 @@ uniform vec4 light_mesh; // where the light comes from: a place and 1, or the wa
 #ifdef FINITE
 const float REACH = 10.0; // metres that a naive volume is long
 #endif
+#ifdef FAR_PLANE
+const float FAR = 12.0; // metres to a plane that is no farther than what is seen
+#endif
 #ifdef WORLD_SPACE
 uniform vec3 eye;
 #endif
@@ -41,5 +44,9 @@ vec4 far_corner(vec3 point) {
 void main() {
     int first = 3 * (gl_VertexID >> 1);
     vec3 point = vec3(coordinates[first], coordinates[first + 1], coordinates[first + 2]);
-    gl_Position = (gl_VertexID & 1) == 0 ? near_corner(point) : far_corner(point);
+    bool near = (gl_VertexID & 1) == 0;
+    gl_Position = near ? near_corner(point) : far_corner(point);
+#ifdef FAR_PLANE
+    gl_ClipDistance[0] = (near ? FAR : 0.0) - gl_Position.w; // w is the depth along the view, of a point or of a way
+#endif
 }

@@ -17,6 +17,8 @@ public:
 
     /// @param receiver_end one past the highest receiver id of the frame
     void assign(std::span<const Plan* const> plans, std::uint32_t receiver_end);
+    /// @param receivers ids
+    void assign(std::span<const std::uint32_t> receivers, std::uint32_t receiver_end);
     void bind() const;
 
 private:

@@ -19,6 +19,7 @@
 #include "systems/shadows/techniques/receiver_bits.hpp"
 #include "systems/shadows/techniques/rectangles.hpp"
 #include "systems/shadows/volumes/near_clip.hpp"
+#include "systems/shadows/volumes/start_count.hpp"
 #include "systems/shadows/volumes/volume_casters.hpp"
 #include "systems/shadows/volumes/volume_prediction.hpp"
 
@@ -32,16 +33,15 @@ namespace shadows {
 
 namespace {
 
-/// A stencil of eight bits counts that far before it comes round to nothing.
-constexpr int kMostLayers = 255;
-
 class VolumeJob final : public ShadowJob {
 public:
     engine::Result<void> update(const ShadowRequest& request) override {
         light_ = request.scene.lights[request.light];
         remedies_ = request.remedies;
         casters_.update(request);
-        bits_.assign(request.plans, request.receiver_end);
+        bits_.resize(casters_.passes().size());
+        for (std::size_t pass = 0; pass < bits_.size(); ++pass)
+            bits_[pass].assign(casters_.passes()[pass], request.receiver_end);
         return {};
     }
 
@@ -73,27 +73,27 @@ public:
             instances.push_back(render::placed_instance(caster.world_from_mesh, camera.position));
         instances_.assign(gpu::bytes_of(instances));
         positions_->bind_storage(VOLUME_POSITIONS_BINDING);
-        bits_.bind();
         target.gbuffer.bind(UNIT_GBUFFER);
         if (!remedies_.on(Remedy::volume_mesh_space))
             count_->set("eye", glm::vec3(camera.position));
-        gpu::Rect counted;
-        int layers = 0;
+        Batch batch;
         for (std::size_t i = 0; i < casters_.all().size(); ++i) {
             const VolumeCaster& caster = casters_.all()[i];
             const gpu::Rect area =
                 intersection(to_rect(swept_pixels(camera, caster.reaches)), target.area);
             if (area.empty()) continue;
-            if (layers + caster.layers > kMostLayers && remedies_.on(Remedy::volume_batches)) {
-                darken(frame, counted);
-                counted = {};
-                layers = 0;
+            const Counting how = counting_of(camera, caster);
+            const bool full =
+                batch.layers + caster.layers > kMostLayers && remedies_.on(Remedy::volume_batches);
+            if (full || caster.pass != batch.pass || how.start != batch.start || how.start > 0) {
+                darken(frame, batch);
+                batch = {{}, 0, caster.pass, how.start};
             }
-            layers += caster.layers;
-            counted = hull(counted, area);
-            count(frame, camera, caster, static_cast<std::uint32_t>(i), area);
+            batch.layers += caster.layers;
+            batch.area = hull(batch.area, area);
+            count(frame, caster, static_cast<std::uint32_t>(i), how.z_fail, area);
         }
-        darken(frame, counted);
+        darken(frame, batch);
     }
 
     [[nodiscard]] bool needs_stencil() const override { return true; }
@@ -103,9 +103,39 @@ public:
     }
 
 private:
+    /// What is counted before the mask is lowered.
+    struct Batch {
+        gpu::Rect area;
+        int layers = 0;
+        std::size_t pass = 0;
+        int start = 0; ///< what a count of 0 stands for
+    };
+    struct Counting {
+        bool z_fail = false;
+        int start = 0; ///< of z-pass: volumes that hold the near rectangle
+    };
+
+    [[nodiscard]] Counting
+    counting_of(const scene::CameraView& camera, const VolumeCaster& caster) const {
+        if (!remedies_.on(Remedy::volume_z_pass)) return {true, 0};
+        if (!remedies_.on(Remedy::volume_z_fail)
+            || !may_shade_near_plane(camera, light_, caster.bounds))
+            return {};
+        if (!remedies_.on(Remedy::volume_start_count)) return {true, 0};
+        const auto start = start_count(
+            camera,
+            *caster.volume,
+            *caster.positions,
+            caster.world_from_mesh,
+            caster.light_mesh,
+            caster.bounds);
+        return start ? Counting{false, *start} : Counting{true, 0};
+    }
+
     engine::Result<void> fetch_programs(gpu::ShaderLibrary& shaders) {
         gpu::Defines defines;
         if (!remedies_.on(Remedy::volume_infinite)) defines.emplace_back("FINITE");
+        if (!remedies_.on(Remedy::volume_no_far_plane)) defines.emplace_back("FAR_PLANE");
         if (!remedies_.on(Remedy::volume_mesh_space)) defines.emplace_back("WORLD_SPACE");
         const auto count =
             shaders.graphics("shadows/volume.vert", "shadows/volume_count.frag", defines);
@@ -142,6 +172,7 @@ private:
                                                                     : gpu::Compare::greater_equal;
         state.depth_write = false;
         state.depth_clamp = false;
+        state.clip_distances = remedies_.on(Remedy::volume_no_far_plane) ? 0 : 1;
         state.cull = gpu::Cull::none;
         state.color_write = gpu::kWriteNoColor;
         state.scissor = area;
@@ -155,14 +186,11 @@ private:
 
     void count(
         gpu::Frame& frame,
-        const scene::CameraView& camera,
         const VolumeCaster& caster,
         std::uint32_t instance,
+        bool z_fail,
         const gpu::Rect& area) {
         const ShadowVolume& volume = *caster.volume;
-        const bool z_fail = !remedies_.on(Remedy::volume_z_pass)
-                            || (remedies_.on(Remedy::volume_z_fail)
-                                && may_shade_near_plane(camera, light_, caster.bounds));
         gpu::RenderState state = counting_state(z_fail, area);
         const auto draw = [&](std::uint32_t first, std::uint32_t end, bool mirrored) {
             if (first == end) return;
@@ -199,23 +227,27 @@ private:
     }
 
     /// Lowers the mask where something was counted, and leaves the stencil as it was found.
-    void darken(gpu::Frame& frame, const gpu::Rect& area) {
-        if (area.empty()) return;
+    void darken(gpu::Frame& frame, const Batch& batch) {
+        if (batch.area.empty()) return;
+        bits_[batch.pass].bind();
         gpu::RenderState state = gpu::kScreenState;
-        state.scissor = area;
+        state.scissor = batch.area;
         state.blend = gpu::Blend::min;
         state.stencil = gpu::Stencil::both(
-            {.test = gpu::Compare::not_equal, .on_pass = gpu::StencilOp::zero, .reference = 0});
+            {.test = gpu::Compare::not_equal,
+             .on_stencil_fail = gpu::StencilOp::zero,
+             .on_pass = gpu::StencilOp::zero,
+             .reference = static_cast<std::uint8_t>(-batch.start)}); // counts wrap
         frame.state(state);
         frame.draw_fullscreen(*mask_);
-        frame.counters().mask_fragments += pixels(area);
+        frame.counters().mask_fragments += pixels(batch.area);
     }
 
     LightView light_;
     Remedies remedies_;
     VolumeCasters casters_;
     std::vector<std::int32_t> base_vertices_; ///< of each caster, in the geometry pool
-    ReceiverBits bits_;
+    std::vector<ReceiverBits> bits_;          ///< of each pass
     gpu::Buffer indices_;
     gpu::Buffer instances_;
     gpu::VertexArray vertices_;

@@ -8,18 +8,6 @@ namespace shadows {
 
 namespace {
 
-/// The near rectangle, relative to the camera, in the order of its rim.
-std::array<glm::dvec3, 4> near_rectangle(const scene::CameraView& camera) {
-    const auto near = static_cast<double>(camera.near);
-    const auto width = static_cast<double>(camera.width);
-    const auto height = static_cast<double>(camera.height);
-    return {
-        camera.ray_direction(0.0, 0.0) * near,
-        camera.ray_direction(width, 0.0) * near,
-        camera.ray_direction(width, height) * near,
-        camera.ray_direction(0.0, height) * near};
-}
-
 /// The caster's box, relative to the camera.
 struct Box {
     glm::dvec3 centre;
@@ -35,6 +23,17 @@ struct Box {
 };
 
 } // namespace
+
+std::array<glm::dvec3, 4> near_rectangle(const scene::CameraView& camera) {
+    const auto near = static_cast<double>(camera.near);
+    const auto width = static_cast<double>(camera.width);
+    const auto height = static_cast<double>(camera.height);
+    return {
+        camera.ray_direction(0.0, 0.0) * near,
+        camera.ray_direction(width, 0.0) * near,
+        camera.ray_direction(width, height) * near,
+        camera.ray_direction(0.0, height) * near};
+}
 
 bool may_shade_near_plane(
     const scene::CameraView& camera, const LightView& light, const engine::WorldAabb& caster) {

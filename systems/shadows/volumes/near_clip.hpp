@@ -5,7 +5,12 @@
 
 #include "systems/shadows/shadow_scene.hpp"
 
+#include <array>
+
 namespace shadows {
+
+/// The near rectangle's corners, relative to the camera's position, in the order of its rim.
+std::array<glm::dvec3, 4> near_rectangle(const scene::CameraView& camera);
 
 /// False only when no point of the box lies between the light and the near rectangle: inside the
 /// pyramid from a lamp over the rectangle, or the prism from the rectangle toward a sun.

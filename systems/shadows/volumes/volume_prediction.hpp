@@ -8,11 +8,13 @@
 
 namespace shadows {
 
-/// Edges of a caster's outline, from what is known without looking at it.
-double outline_edges(const CasterView& caster);
+/// Edges of a caster's silhouette, or of its proxy's, the mean over all directions of light.
+/// @param drawn triangles of the one or the other
+double outline_edges(const CasterView& caster, std::uint32_t drawn);
 
-/// Faces of a caster's volume over one pixel of the place that its shadow can reach: 2 for a convex
-/// one, which is entered once and left once.
+/// Faces of a caster's volume over one pixel of the place that its box's shadow can reach, on
+/// average: that place is entered once and left once by the box's own volume, and sides are as wide
+/// as silhouettes are long.
 double crossings(const CasterView& caster);
 
 /// Errors: a caster has holes that only its texture knows; this driver does not count as volumes

@@ -251,6 +251,8 @@ TEST_F(CommandLine, ExplainGivesAReasonForEveryPair) {
 TEST_F(CommandLine, ATechniqueMayNameItsSetting) {
     EXPECT_EQ(run(fmt::format("explain {} --technique map@much", path("level.lua"))).code, 2);
     EXPECT_EQ(run(fmt::format("explain {} --technique auto@0.5", path("level.lua"))).code, 0);
+    EXPECT_EQ(run(fmt::format("explain {} --technique volume@2", path("level.lua"))).code, 0);
+    EXPECT_EQ(run(fmt::format("explain {} --technique volume@9", path("level.lua"))).code, 2);
 }
 
 TEST_F(CommandLine, ASoakTellsWhatItHolds) {

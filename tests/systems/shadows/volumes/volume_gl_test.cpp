@@ -5,7 +5,10 @@
 #include "tests/support/worlds.hpp"
 #include "tests/systems/shadows/volumes/random_places.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 #include "tools/gnomon/studio.hpp"
 
@@ -82,6 +85,117 @@ TEST_F(VolumesDrawn, AreCountedAlikeFromBeforeAndFromBehind) {
         eye.y = std::abs(eye.y) + 0.3;
 
         EXPECT_EQ(z_fail_differs(camera_looking(eye, {0.0, 1.0, 0.0}, kSize, kSize)), 0U);
+    }
+}
+
+TEST_F(VolumesDrawn, AreCountedAlikeFromAnEyeInTheirMidst) {
+    engine::Random random(29);
+    std::size_t cheaper = 0;
+    for (int i = 0; i < 24; ++i) {
+        SCOPED_TRACE(i);
+        const scene::PlacedLight light =
+            i % 2 == 0 ? test_support::sun_light()
+                       : test_support::lamp_light("lamp", {1.0, 5.0, 2.0}, 100.0F, 1000.0F);
+        make_level(light, i % 3 == 0 ? torn_ring() : scene::make_torus(1.0F, 0.35F));
+        // Below the ring, the cube or the ball, where the light would go on.
+        const glm::dvec3 caster = std::array<glm::dvec3, 3>{
+            {{0.9, 1.5, 0.0}, {2.0, 0.9, 1.0}, {-2.0, 1.0, 1.0}}}[static_cast<std::size_t>(i) % 3];
+        const glm::dvec3 away =
+            i % 2 == 0 ? glm::dvec3(light.direction) : glm::normalize(caster - light.position);
+        const glm::dvec3 eye = caster + away * 0.9 + unit_vector(random) * 0.15;
+        const scene::CameraView camera =
+            camera_looking(eye, eye + glm::normalize(unit_vector(random) + away), kSize, kSize);
+
+        const engine::Image started = mask(camera, {});
+        const std::uint64_t triangles = studio->renderer().frame().counters().triangles;
+        const engine::Image behind = mask(camera, Remedies().without(Remedy::volume_start_count));
+
+        EXPECT_EQ(started.bytes, behind.bytes);
+        cheaper += triangles < studio->renderer().frame().counters().triangles ? 1 : 0;
+    }
+    EXPECT_GT(cheaper, 8U);
+}
+
+/// What a proxy does to the shadow on the floor.
+struct ProxyDrawn : VolumesDrawn {
+    struct Error {
+        double predicted_px = 0.0; ///< of edge displacement
+        double measured_px = 0.0;  ///< pixels that differ from the caster's own shadow, per edge
+    };
+
+    /// A smooth ring over a floor, and the volume's own error left out.
+    Error of_level(int proxy, const scene::CameraView& camera) {
+        level.shadows.scene.proxy = 0;
+        const engine::Image own = mask(camera, {});
+        const std::vector<std::uint32_t> ids = studio->receiver_ids();
+        const auto [floor, own_px] = floor_plan();
+        level.shadows.scene.proxy = proxy;
+        const engine::Image simple = mask(camera, {});
+        const double differing =
+            count(ids, floor, [&](std::size_t i) { return own.bytes[i] != simple.bytes[i]; });
+        const double cracks = count(
+                                  ids,
+                                  floor,
+                                  [&](std::size_t i) {
+                                      return i + 1 < ids.size() && ids[i + 1] == floor
+                                             && own.bytes[i] != own.bytes[i + 1];
+                                  })
+                              + count(ids, floor, [&](std::size_t i) {
+                                    return i + kSize < ids.size() && ids[i + kSize] == floor
+                                           && own.bytes[i] != own.bytes[i + kSize];
+                                });
+        // Crofton: edges of a grid are longer than the curve that they follow.
+        const double edge_px = cracks * std::numbers::pi / 4.0;
+        return {floor_plan().second - own_px, differing / edge_px};
+    }
+
+    template <class Wanted>
+    static double count(const std::vector<std::uint32_t>& ids, std::uint32_t floor, Wanted wanted) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            sum += ids[i] == floor && wanted(i) ? 1.0 : 0.0;
+        return sum;
+    }
+
+    /// The floor's id and its predicted error.
+    std::pair<std::uint32_t, double> floor_plan() {
+        for (const Plan& plan : studio->shadows().plan().plans)
+            if (studio->shadows().scene().receiver(plan.receiver).name.starts_with("floor"))
+                return {plan.receiver, plan.entries.at(0).predicted.error_px};
+        ADD_FAILURE() << "the floor has no plan";
+        return {0, 0.0};
+    }
+};
+
+TEST_F(ProxyDrawn, ItsErrorIsAtMostAsPredictedAndNotFarLess) {
+    const std::vector<scene::PlacedLight> lights = {
+        test_support::sun_light(),
+        test_support::lamp_light("lamp", {1.0, 5.0, 2.0}, 100.0F, 1000.0F)};
+    for (const scene::PlacedLight& light : lights) {
+        test_support::WorldBuilder builder = test_support::floor_of(20.0F);
+        scene::Mesh ring = scene::make_torus(1.0F, 0.35F, 96, 40);
+        ring.proxies = scene::make_proxies(ring);
+        const int levels = static_cast<int>(ring.proxies.size());
+        ASSERT_GE(levels, 2);
+        builder.add("ring", std::move(ring), at({0.0, 1.5, 0.0}));
+        builder.add_light(light);
+        level.world = std::move(builder.world);
+        level.shadows.scene.technique = "volume";
+        scene::update(level.world, 0.0F);
+        for (int proxy = 1; proxy <= levels; ++proxy) {
+            const Error error =
+                of_level(proxy, camera_looking({0.0, 4.0, 5.0}, {0.0, 0.0, 0.0}, kSize, kSize));
+            SCOPED_TRACE(fmt::format(
+                "{}, proxy {}: {:.3f} px predicted, {:.3f} measured",
+                light.name,
+                proxy,
+                error.predicted_px,
+                error.measured_px));
+
+            EXPECT_GT(error.measured_px, 0.0);
+            EXPECT_LE(error.measured_px, error.predicted_px);
+            EXPECT_LE(error.predicted_px, 12.0 * error.measured_px);
+        }
     }
 }
 
