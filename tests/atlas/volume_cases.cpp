@@ -71,16 +71,15 @@ Stage stack_of_slabs(double count) {
     return served(builder, "sun");
 }
 
-/// A ring, smooth enough to be simplified, that stands on the floor and shades itself.
+/// A ring, smooth enough to be simplified, whose lit inside bends the way that proxies bulge.
 Stage simplified_ring(double elevation) {
     WorldBuilder builder = floor_of(20.0F);
     scene::Mesh ring = scene::make_torus(1.0F, 0.35F, 96, 40);
     ring.proxies = scene::make_proxies(ring);
-    scene::Transform place = at({0.0, 1.7, 0.0});
-    place.rotation = glm::angleAxis(1.2F, glm::normalize(glm::vec3(1.0F, 0.3F, 0.2F)));
-    builder.add("ring", std::move(ring), place);
-    builder.add_light(sun_at(elevation, 50.0));
+    builder.add("ring", std::move(ring), at({0.0, 1.0, 0.0}));
+    builder.add_light(sun_at(elevation, -60.0));
     Stage stage = served(builder, "sun", "ring");
+    stage.camera = camera_looking({0.0, 3.5, 3.0}, {0.0, 0.8, 0.0}, kPictureSize, kPictureSize);
     stage.level.shadows.scene.proxy = 1;
     return stage;
 }
@@ -113,9 +112,14 @@ Stage ring(double elevation, const glm::dvec3& origin) {
 Stage ring_with_awning(const scene::PlacedLight& sun) {
     WorldBuilder builder = floor_of(20.0F);
     scene::Mesh mesh = scene::make_torus(1.0F, 0.35F);
-    const glm::dvec3 eye = usual_camera(kPictureSize).position;
+    const scene::CameraView camera = usual_camera(kPictureSize);
+    const double middle_px = 0.5 * kPictureSize;
+    const glm::dvec3 near_middle =
+        camera.position
+        + camera.ray_direction(middle_px, middle_px) * static_cast<double>(camera.near);
     // Smaller than the near rectangle, so that its outline cuts it.
-    const glm::vec3 awning(eye - glm::dvec3(sun.direction) * 3.0 - glm::dvec3(0.0, 1.5, 0.0));
+    const glm::vec3 awning(
+        near_middle - glm::dvec3(sun.direction) * 3.0 - glm::dvec3(0.0, 1.5, 0.0));
     test_support::append(mesh, scene::make_box(glm::vec3(0.06F)), awning);
     builder.add("ring", std::move(mesh), at({0.0, 1.5, 0.0}));
     builder.add_light(sun);
@@ -199,7 +203,8 @@ std::vector<Case> volume_cases() {
          .build = simplified_ring,
          .sweep = {30.0, 80.0, 50.0},
          .remedy = Remedy::volume_own_surface,
-         .gates = {no_light_leak_inside(), no_false_shadow_inside()}},
+         // Edges on the floor are off by what was predicted, here and there by more than a pixel.
+         .gates = {no_false_shadow_inside(), largest_error_inside(2.0)}},
     };
 }
 
