@@ -48,7 +48,9 @@ std::uint32_t take_level(
     if (level > 0) {
         prediction.proxy_levels.resize(casters.casters.size());
         prediction.proxy_levels[place] = static_cast<std::uint8_t>(level);
-        if (note.empty()) note = fmt::format("'{}' by its proxy {}", caster.name, level);
+        if (note.empty())
+            note = fmt::format(
+                "'{}' simplified to its proxy {} unless drawn anyway", caster.name, level);
     }
     if (!note.empty()) prediction.note += (prediction.note.empty() ? "" : "; ") + note;
     return level > 0 ? caster.proxies[static_cast<std::size_t>(level - 1)].triangles

@@ -45,20 +45,34 @@ void add_entry(
         }
 }
 
-/// One volume per caster, its coarsest, for whatever it darkens.
-Tasks with_one_volume_each(const Tasks& tasks) {
-    Tasks merged;
-    std::map<std::uint32_t, int> coarsest;
-    for (const auto& [key, task] : tasks)
-        coarsest[task.caster] = std::max(coarsest[task.caster], task.level);
+/// Gives tasks other levels, and makes one of those that are then of one caster and level.
+template <class LevelOf>
+Tasks merged(const Tasks& tasks, LevelOf level_of) {
+    Tasks made;
     for (const auto& [key, task] : tasks) {
-        VolumeTask& all = merged[{coarsest[task.caster], task.caster}];
+        const int level = level_of(task);
+        VolumeTask& all = made[{level, task.caster}];
         all.caster = task.caster;
-        all.level = coarsest[task.caster];
+        all.level = level;
         all.receivers.insert(all.receivers.end(), task.receivers.begin(), task.receivers.end());
         all.reaches.insert(all.reaches.end(), task.reaches.begin(), task.reaches.end());
     }
-    return merged;
+    return made;
+}
+
+/// One volume per caster, its coarsest, for whatever it darkens.
+Tasks with_coarsest_only(const Tasks& tasks) {
+    std::map<std::uint32_t, int> coarsest;
+    for (const auto& [key, task] : tasks)
+        coarsest[task.caster] = std::max(coarsest[task.caster], task.level);
+    return merged(tasks, [&](const VolumeTask& task) { return coarsest[task.caster]; });
+}
+
+/// No proxy of a caster that is drawn itself anyway.
+Tasks without_needless_proxies(const Tasks& tasks) {
+    return merged(tasks, [&](const VolumeTask& task) {
+        return tasks.contains({0, task.caster}) ? 0 : task.level;
+    });
 }
 
 bool may_serve_all(
@@ -101,7 +115,10 @@ std::vector<VolumePass> volume_passes(const ShadowRequest& request) {
             if (entry.technique == "volume")
                 add_entry(request, entry, *receivers.at(plan->receiver), tasks);
     const bool apart = request.remedies.on(Remedy::volume_own_surface);
-    if (!apart) tasks = with_one_volume_each(tasks);
+    if (!apart)
+        tasks = with_coarsest_only(tasks);
+    else if (!request.wish.proxy)
+        tasks = without_needless_proxies(tasks);
     std::vector<VolumePass> passes(1);
     for (auto& [key, task] : tasks) {
         auto pass = passes.begin();

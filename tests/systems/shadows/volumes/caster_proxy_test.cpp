@@ -99,7 +99,7 @@ TEST_F(CasterProxy, IsTheOneThatIsAskedForWhateverItsError) {
 
 TEST_F(CasterProxy, SaysWhyItIsNotTheOneThatIsAskedFor) {
     wish.proxy = 1;
-    EXPECT_THAT(predict().note, HasSubstr("by its proxy 1"));
+    EXPECT_THAT(predict().note, HasSubstr("to its proxy 1"));
     box().proxies = {};
     EXPECT_THAT(predict().note, HasSubstr("only heroes"));
     box().deforms = true;

@@ -69,6 +69,7 @@ struct VolumeTasks : testing::Test {
 };
 
 TEST_F(VolumeTasks, AProxyDarkensTheFloorAndTheMeshItself) {
+    wish.proxy = 1;
     plan("floor", {{"ring a", 1}});
     plan("ring a", {{"ring a", 0}});
 
@@ -81,6 +82,18 @@ TEST_F(VolumeTasks, AProxyDarkensTheFloorAndTheMeshItself) {
     EXPECT_EQ(made[1].tasks[0].level, 1);
 }
 
+TEST_F(VolumeTasks, ACasterThatIsDrawnAnywayNeedsNoProxy) {
+    plan("floor", {{"ring a", 1}});
+    plan("ring a", {{"ring a", 0}});
+
+    const auto made = passes();
+
+    ASSERT_EQ(made.size(), 1U);
+    ASSERT_EQ(made[0].tasks.size(), 1U);
+    EXPECT_EQ(made[0].tasks[0].level, 0);
+    EXPECT_EQ(made[0].receivers.size(), 2U);
+}
+
 TEST_F(VolumeTasks, ProxiesOfSeveralCastersAreCountedTogether) {
     plan("floor", {{"ring a", 1}, {"ring b", 2}});
 
@@ -91,6 +104,7 @@ TEST_F(VolumeTasks, ProxiesOfSeveralCastersAreCountedTogether) {
 }
 
 TEST_F(VolumeTasks, AProxyIsCountedApartFromOneThatDarkensItsMesh) {
+    wish.proxy = 1;
     plan("floor", {{"ring a", 1}, {"ring b", 1}});
     plan("ring b", {{"ring a", 1}, {"ring b", 0}});
 
