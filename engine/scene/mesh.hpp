@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/core/geometry.hpp"
+#include "engine/scene/box_set.hpp"
 #include "engine/scene/mesh_health.hpp"
 #include "engine/scene/proxy.hpp"
 
@@ -70,6 +71,7 @@ struct Mesh {
     bool has_rest = true;             ///< some of the mesh lies in no patch
     MeshHealth health;                ///< of all triangles together
     std::vector<Proxy> proxies;       ///< of heroes, coarser and coarser; see make_proxies()
+    std::vector<BoxSet> box_sets;     ///< coarsest first; none where it deforms
 
     [[nodiscard]] bool deforms() const { return !influences.empty() || !morph_targets.empty(); }
 };

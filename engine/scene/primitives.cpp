@@ -188,6 +188,8 @@ void finish_mesh(Mesh& mesh) {
     // Health first: patches duplicate vertices along their borders, which no file asked for.
     mesh.health = examine_mesh(mesh.positions, triangles);
     split_flat_patches(mesh);
+    mesh.box_sets.clear();
+    if (!mesh.deforms()) mesh.box_sets = make_box_sets(mesh.positions, triangles);
 }
 
 } // namespace scene
