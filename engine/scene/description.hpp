@@ -27,6 +27,7 @@ struct ShadowWish {
     std::optional<int> samples;                    ///< light samples of soft techniques
     std::optional<int> cascades;
     std::optional<int> proxy; ///< level of simplified casters of volumes; 0: the casters themselves
+    std::optional<std::string> way; ///< of its ways of doing it, the one a technique has to take
 };
 
 struct LightDescription {

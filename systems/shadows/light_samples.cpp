@@ -15,12 +15,14 @@ namespace {
 /// Lamps nearer than that many of their radii count as that far away: their disc stays finite.
 constexpr double kNearestInRadii = 1.1;
 constexpr int kOutlineCorners = 8;
+/// Of the third coordinate of Hammersley's points.
+constexpr std::uint32_t kDepthBase = 3;
 
-/// The bits of an index in reverse, as a fraction.
-double radical_inverse(std::uint32_t index) {
+/// The digits of an index in reverse, as a fraction.
+double radical_inverse(std::uint32_t index, std::uint32_t base = 2) {
     double value = 0.0;
-    for (double digit = 0.5; index != 0; index >>= 1U, digit *= 0.5)
-        if ((index & 1U) != 0) value += digit;
+    for (double digit = 1.0 / base; index != 0; index /= base, digit /= base)
+        value += digit * (index % base);
     return value;
 }
 
@@ -77,7 +79,9 @@ Cone cone_of(const LightView& light, const glm::dvec3& seen_from) {
 }
 
 /// A light without a size, off the axis by `across` (a tangent of the angle, along side and up).
-LightView point_of(const LightView& light, const Cone& cone, const glm::dvec2& across) {
+/// @param nearer to where it is seen from, metres; of lamps
+LightView
+point_of(const LightView& light, const Cone& cone, const glm::dvec2& across, double nearer = 0.0) {
     LightView point = light;
     point.light.radius = 0.0F;
     point.light.angular_radius = 0.0F;
@@ -85,7 +89,7 @@ LightView point_of(const LightView& light, const Cone& cone, const glm::dvec2& a
     if (is_sun(light))
         point.direction = glm::vec3(-glm::normalize(cone.axis + offset));
     else
-        point.position = light.position + cone.distance * offset;
+        point.position = light.position + cone.distance * offset - nearer * cone.axis;
     return point;
 }
 
@@ -125,15 +129,20 @@ std::vector<LightView> light_samples(
     const LightView& light, const glm::dvec3& seen_from, int count, SamplePattern pattern) {
     const Cone cone = cone_of(light, seen_from);
     if (!has_size(light) || count == 1) return {point_of(light, cone, {})};
+    const auto radius = static_cast<double>(light.light.radius);
     std::vector<LightView> points;
     for (const glm::dvec2& square : square_samples(pattern, count)) {
         const glm::dvec2 disc = disc_from_square(square);
-        const double part = glm::length(disc);
+        const double part = std::min(glm::length(disc), 1.0);
+        const double turn =
+            glm::two_pi<double>()
+            * radical_inverse(static_cast<std::uint32_t>(points.size()), kDepthBase);
+        const double nearer = radius * std::sqrt(1.0 - part * part) * std::cos(turn);
         // Even over the solid angle: the square of the radius goes with 1 - cosine.
         const double sine = part * std::sin(0.5 * cone.half_angle);
         const double tangent = std::tan(2.0 * std::asin(sine));
         points.push_back(
-            point_of(light, cone, part > 0.0 ? disc / part * tangent : glm::dvec2(0.0)));
+            point_of(light, cone, part > 0.0 ? disc / part * tangent : glm::dvec2(0.0), nearer));
     }
     return points;
 }
@@ -141,6 +150,14 @@ std::vector<LightView> light_samples(
 std::vector<LightView> light_outline(const LightView& light, const glm::dvec3& seen_from) {
     const Cone cone = cone_of(light, seen_from);
     if (!has_size(light)) return {point_of(light, cone, {})};
+    if (!is_sun(light)) {
+        std::vector<LightView> corners(kOutlineCorners, point_of(light, cone, {}));
+        for (int i = 0; i < kOutlineCorners; ++i)
+            corners[static_cast<std::size_t>(i)].position +=
+                static_cast<double>(light.light.radius)
+                * glm::dvec3((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
+        return corners;
+    }
     // Corners of the polygon round the disc.
     const double tangent =
         std::tan(cone.half_angle) / std::cos(glm::pi<double>() / kOutlineCorners);

@@ -1,9 +1,10 @@
 // A light with a size as a number of points: soft shadows are sums of hard ones.
 //
 // Truth sees a shining sphere, or the sun, as a cone of directions that all count the same. So the
-// points lie on the disc that fills this cone as seen from one place, spread evenly over its solid
-// angle; from elsewhere the disc is a little narrower than the sphere, by the cosine of the angle
-// between the two views.
+// points fill the disc of this cone as seen from one place, spread evenly over its solid angle. A
+// lamp's points also lie before and behind this disc, so that they fill an even disc from wherever
+// they are seen: evenly spread over the sphere in four dimensions, whose shadow on any plane is a
+// disc that is even again.
 //
 // Sources: R. Cook, "Stochastic Sampling in Computer Graphics", 1986 (jitter); J. Hammersley,
 // "Monte Carlo Methods for Solving Multivariable Problems", 1960; P. Shirley and K. Chiu, "A Low
@@ -38,7 +39,7 @@ bool has_size(const LightView& light);
 std::vector<LightView> light_samples(
     const LightView& light, const glm::dvec3& seen_from, int count, SamplePattern pattern);
 
-/// Lights without a size round a light with one: their shadows' convex hull holds the light's own.
+/// Lights without a size round a light with one: their convex hull holds the light.
 std::vector<LightView> light_outline(const LightView& light, const glm::dvec3& seen_from);
 
 /// What N points are expected to be wrong by, per length of edge: this times the penumbra's width.

@@ -15,6 +15,7 @@ struct Option {
     const ShadowTechnique* technique;
     Prediction predicted;
     double cost_ms;
+    std::vector<Variant> variants; ///< by group of the pair
 };
 
 /// Comparisons see numbers in steps of 1/1024, so that the last bits of a processor never decide.
@@ -24,12 +25,14 @@ double rounded(double value) {
 
 /// What a technique would do for all the pair's groups together. Displacements do not add up: the
 /// worst one counts.
-engine::Result<Prediction> predict_all(
+engine::Result<Option> predict_all(
     const ShadowTechnique& technique,
     const PairView& view,
     const Pair& pair,
-    const FramePlan::LightGroups& light) {
-    Prediction sum;
+    const FramePlan::LightGroups& light,
+    const DeviceProfile& profile) {
+    Option option{&technique, {}, 0.0, {}};
+    Prediction& sum = option.predicted;
     std::size_t casters_before = 0;
     for (const std::uint32_t group : pair.groups) {
         const auto part = technique.predict(view, light.groups[group]);
@@ -44,8 +47,11 @@ engine::Result<Prediction> predict_all(
         }
         casters_before += light.groups[group].casters.size();
         if (!part->note.empty()) sum.note += (sum.note.empty() ? "" : "; ") + part->note;
+        sum.variant.samples = std::max(sum.variant.samples, part->variant.samples);
+        option.variants.push_back(part->variant);
     }
-    return sum;
+    option.cost_ms = milliseconds(sum.cost, profile);
+    return option;
 }
 
 double
@@ -117,13 +123,12 @@ Plan pick_pair(
             plan.rejected.push_back({traits.name, std::string(*reason), std::nullopt});
             continue;
         }
-        const auto predicted = predict_all(*technique, view, pair, light);
-        if (!predicted)
+        auto option = predict_all(*technique, view, pair, light, profile);
+        if (!option)
             plan.rejected.push_back(
-                {traits.name, "outside its domain: " + predicted.error().message, std::nullopt});
+                {traits.name, "outside its domain: " + option.error().message, std::nullopt});
         else
-            options.push_back(
-                {technique.get(), *predicted, milliseconds(predicted->cost, profile)});
+            options.push_back(*std::move(option));
     }
     const Option* chosen = choose(options, plan.budget_px);
     if (chosen == nullptr) {
@@ -132,7 +137,8 @@ Plan pick_pair(
     }
     plan.reason = why(*chosen, wish, plan.budget_px);
     if (!chosen->predicted.note.empty()) plan.reason += "; " + chosen->predicted.note;
-    plan.entries.push_back({chosen->technique->traits().name, pair.groups, chosen->predicted});
+    plan.entries.push_back(
+        {chosen->technique->traits().name, pair.groups, chosen->predicted, chosen->variants});
     for (const Option& option : options)
         if (&option != chosen)
             plan.rejected.push_back(

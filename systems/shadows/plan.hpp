@@ -27,6 +27,14 @@ struct Cost {
     Cost& operator+=(const Cost& other);
 };
 
+/// How a technique goes about it, where it has several ways.
+struct Variant {
+    std::string_view way; ///< a literal that means something to the technique; empty: the usual one
+    std::uint16_t samples = 1; ///< points that stand for the light
+
+    bool operator==(const Variant&) const = default;
+};
+
 /// What a technique would do for one pair and one group of casters, before it does anything. A
 /// plain value.
 struct Prediction {
@@ -37,13 +45,15 @@ struct Prediction {
     /// or nothing from here on: of themselves.
     std::vector<std::uint8_t> proxy_levels;
     std::string note; ///< what people should know about it, one clause; mostly empty
+    Variant variant;
 };
 
 /// One technique at work for some of the casters of a pair.
 struct PlanEntry {
     std::string_view technique;               ///< its name, as all techniques keep it
     std::vector<std::uint32_t> caster_groups; ///< indices into the light's groups
-    Prediction predicted;
+    Prediction predicted;                     ///< of all together
+    std::vector<Variant> variants;            ///< one for each group
 };
 
 /// A technique that was not taken.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ struct CasterView {
         return static_cast<int>(std::count_if(
             proxies.begin(), proxies.end(), [](const auto& proxy) { return proxy.triangles > 0; }));
     }
+    /// What one box and several in its place are wrong by, per length of outline, metres (as
+    /// scene::BoxSet has it); infinite where there are none.
+    std::array<double, 2> box_deviation = {
+        std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 /// A flat patch of a mesh, or the rest of it, that shows shadows.

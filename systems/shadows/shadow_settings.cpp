@@ -18,6 +18,7 @@ void overlay(scene::ShadowWish& below, const scene::ShadowWish& above) {
     overlay(below.samples, above.samples);
     overlay(below.cascades, above.cascades);
     overlay(below.proxy, above.proxy);
+    overlay(below.way, above.way);
 }
 
 /// "hero/arm#2" belongs to the model "hero", and to "hero/arm".

@@ -57,6 +57,10 @@ std::string fingerprint(
             for (const std::uint32_t group : entry.caster_groups)
                 put(group);
             text.append(entry.predicted.proxy_levels.begin(), entry.predicted.proxy_levels.end());
+            for (const Variant& variant : entry.variants) {
+                text += variant.way;
+                put(variant.samples);
+            }
         }
     }
     return text;

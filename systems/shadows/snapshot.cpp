@@ -65,11 +65,16 @@ make_caster(const scene::World& world, ecs::Entity entity, const glm::dmat4& wor
     const glm::vec3 sides = mesh.bounds.extent();
     const double of_box = static_cast<double>(sides.x + sides.y + sides.z) * std::numbers::pi / 2.0;
     caster.outline_share = of_box > 0.0 ? mesh.health.outline / of_box : 0.0;
-    const double scale = mesh.proxies.empty() ? 0.0 : largest_scale(world_from_mesh);
+    const double scale =
+        mesh.proxies.empty() && mesh.box_sets.empty() ? 0.0 : largest_scale(world_from_mesh);
     for (std::size_t i = 0; i < mesh.proxies.size(); ++i)
         caster.proxies[i] = {
             mesh.proxies[i].triangle_count(),
             static_cast<double>(mesh.proxies[i].deviation) * scale};
+    if (posed == nullptr && !caster.alpha_masked)
+        for (std::size_t i = 0; i < std::min(mesh.box_sets.size(), caster.box_deviation.size());
+             ++i)
+            caster.box_deviation[i] = static_cast<double>(mesh.box_sets[i].deviation) * scale;
     return caster;
 }
 

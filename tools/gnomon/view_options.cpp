@@ -2,6 +2,7 @@
 
 #include "engine/core/text.hpp"
 #include "systems/shadows/maps/cascade_fit.hpp"
+#include "systems/shadows/planar_prediction.hpp"
 #include "systems/shadows/technique_registry.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,36 @@ std::optional<int> whole_number(std::string_view text) {
                                                                       : std::nullopt;
 }
 
+constexpr int kMostLightSamples = 4096;
+
+/// "@16:boxes" of "planar@16:boxes"; either part may be missing.
+engine::Result<ShadowOptions>
+with_planar_settings(const std::string& word, std::string_view setting, ShadowOptions options) {
+    const std::size_t colon = std::min(setting.find(':'), setting.size());
+    if (colon < setting.size()) {
+        const std::string way(setting.substr(colon + 1));
+        const std::span<const std::string_view> ways = shadows::kPlanarWays;
+        if (std::find(ways.begin(), ways.end(), way) == ways.end())
+            return engine::Error{fmt::format(
+                "--technique {}: '{}' is no way of planar; expected one of {}{}",
+                word,
+                way,
+                fmt::join(ways, ", "),
+                engine::did_you_mean(way, ways))};
+        options.way = way;
+    }
+    setting = setting.substr(0, colon);
+    if (setting.empty()) return options;
+    options.samples = whole_number(setting.substr(1));
+    if (options.samples && *options.samples >= 1 && *options.samples <= kMostLightSamples)
+        return options;
+    return engine::Error{fmt::format(
+        "--technique {}: '{}' after '@' is no number of light samples; write planar@16 (1 to {})",
+        word,
+        setting.substr(1),
+        kMostLightSamples)};
+}
+
 } // namespace
 
 engine::Result<glm::ivec2> ViewOptions::size_px() const {
@@ -61,6 +92,7 @@ scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
     wish.cascades = cascades;
     wish.filter = filter;
     wish.samples = samples;
+    wish.way = way;
     wish.error_px = error_px;
     return wish;
 }
@@ -90,7 +122,7 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
     command.add_option("--filter", options.filter, "how maps are read")
         ->check(CLI::IsMember({"nearest", "bilinear", "pcf", "pcss"}));
     command.add_option("--samples", options.samples, "light samples of soft shadows")
-        ->check(CLI::Range(1, 4096));
+        ->check(CLI::Range(1, kMostLightSamples));
     command
         .add_option("--error-px", options.error_px, "accepted error, pixels of edge displacement")
         ->check(CLI::Range(0.0, 1000.0));
@@ -108,7 +140,7 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
 
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others) {
-    const std::string setting = word.substr(std::min(word.find('@'), word.size()));
+    const std::string setting = word.substr(std::min(word.find_first_of("@:"), word.size()));
     ShadowOptions options = std::move(others);
     options.technique = word.substr(0, word.size() - setting.size());
     auto words = shadows::technique_words(techniques);
@@ -131,6 +163,7 @@ engine::Result<ShadowOptions> options_from_word(
                 scene::kProxyLevels)};
         return options;
     }
+    if (options.technique == "planar") return with_planar_settings(word, setting, options);
     const std::size_t colon = std::min(setting.find(':'), setting.size());
     if (colon < setting.size()) options.filter = setting.substr(colon + 1);
     const std::string numbers = setting.substr(1, colon - 1);

@@ -34,6 +34,7 @@ struct ShadowOptions {
     std::optional<int> cascades;
     std::optional<std::string> filter;
     std::optional<int> samples;
+    std::optional<std::string> way;
     std::optional<float> error_px;
     std::optional<float> shadow_ms;
     std::string refresh = "auto";
@@ -46,9 +47,10 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 void add_shadow_options(CLI::App& command, ShadowOptions& options);
 
 /// A technique with its main settings in one word: "planar", "map@2048" (texels per side),
-/// "map@2048x2" (and cascades), "cascaded_map@1024:pcf" (and the filter), "auto@0.5" (accepted
-/// error, pixels). What the word does not say is taken from `others`. Errors: a technique that does
-/// not exist, with the nearest one; a setting that is no number.
+/// "map@2048x2" (and cascades), "cascaded_map@1024:pcf" (and the filter), "planar@16" (light
+/// samples), "planar:boxes" (its way of doing it), "auto@0.5" (accepted error, pixels). What the word does not say is taken from
+/// `others`. Errors: a technique that does not exist, with the nearest one; a setting that is no
+/// number.
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others = {});
 

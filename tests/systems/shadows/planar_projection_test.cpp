@@ -53,6 +53,25 @@ TEST(PlanarProjection, EveryShadowLiesOnAPlaneAtAnySlant) {
             glm::dot(slope.normal, shadow_of(light, slope, {0.4, 2.0, -1.0})), slope.offset, 1e-9);
 }
 
+/// By similar triangles the shadow of v on a plane through the origin across an axis lies, along
+/// another axis, at (l_y v_x - l_x v_y) / (l_y - v_y).
+TEST(PlanarProjection, OnAxisPlanesItIsTheRuleOfSimilarTriangles) {
+    const glm::dvec3 light(3.0, 5.0, 4.0);
+    const glm::dvec3 point(-0.5, 1.5, 0.7);
+    for (int axis = 0; axis < 3; ++axis) {
+        SCOPED_TRACE(axis);
+        ReceiverView wall = flat_floor();
+        wall.normal = glm::dvec3(0.0);
+        wall.normal[axis] = 1.0;
+        glm::dvec3 expected(0.0);
+        for (const int other : {(axis + 1) % 3, (axis + 2) % 3})
+            expected[other] = (light[axis] * point[other] - light[other] * point[axis])
+                              / (light[axis] - point[axis]);
+
+        expect_at(shadow_of(lamp(light), wall, point), expected);
+    }
+}
+
 TEST(PlanarProjection, PointsBeyondTheLightGetANegativeWeight) {
     const LightView light = lamp({0.0, 2.0, 0.0});
     const auto plane = lit_plane(light, flat_floor(), kOrigin);
