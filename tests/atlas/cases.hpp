@@ -24,6 +24,7 @@ std::vector<Case> map_texel_cases();
 std::vector<Case> planar_cases();
 std::vector<Case> soft_cases();
 std::vector<Case> sheet_cases();
+std::vector<Case> soft_planar_cases();
 std::vector<Case> texture_cases();
 std::vector<Case> volume_cases();
 std::vector<Case> volume_mesh_cases();
@@ -43,6 +44,7 @@ inline std::vector<Case> all_cases() {
           planar_cases(),
           soft_cases(),
           sheet_cases(),
+          soft_planar_cases(),
           texture_cases(),
           volume_cases(),
           volume_mesh_cases()})

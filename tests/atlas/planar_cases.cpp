@@ -1,8 +1,13 @@
 // Failures of shadows projected on planes.
 //
 // Sources: J. Blinn, "Me and My (Fake) Shadow", IEEE CG&A, 1988; P. Heckbert and M. Herf,
-// "Simulating Soft Shadows with Graphics Hardware", CMU-CS-97-104, 1997. That dark cubes over each
-// other must not darken twice is no case: masks take the minimum.
+// "Simulating Soft Shadows with Graphics Hardware", CMU-CS-97-104, 1997.
+//
+// P4, that casters over each other must not darken twice, is no case for hard shadows: masks take
+// the minimum; for soft ones it is in soft_planar_cases.cpp. P9, a sun that grazes the floor, has
+// nothing to draw: below one degree planar refuses
+// (tests/systems/shadows/planar_prediction_test.cpp), and above it the scissor ends at the
+// receiver.
 
 #include "tests/atlas/cases.hpp"
 #include "tests/support/worlds.hpp"
@@ -180,6 +185,19 @@ Stage lattice(double height) {
     return on_floor(builder, "sun");
 }
 
+/// A slab in the shadow of a ball.
+Stage slab_on_floor(double height) {
+    WorldBuilder builder = floor_of(20.0F);
+    scene::Mesh slab = scene::make_box({3.0F, static_cast<float>(height), 3.0F});
+    const std::string top = lowest_top("slab", slab);
+    builder.add("slab", std::move(slab), at({0.8, 0.5 * height, 0.0}));
+    builder.add("ball", scene::make_sphere(0.8F), at({-3.5, 2.5, 0.0}));
+    builder.add_light(sun_at(30.0));
+    Stage stage = on_floor(builder, "sun");
+    stage.level.shadows.receivers[top].technique = "planar";
+    return stage;
+}
+
 Gate no_dark_behind_light() {
     return {"mask lowered where no light falls, px", [](const Observation& seen) {
                 const measure::Comparison& comparison = seen.comparison;
@@ -245,6 +263,12 @@ std::vector<Case> planar_cases() {
          {1.0, -1.0, -0.5},
          std::nullopt,
          {no_dark_behind_light()}},
+        {"P11",
+         "a shadow does not climb the slab that lies in it",
+         slab_on_floor,
+         {0.05, 0.5, 0.5},
+         Remedy::planar_own_plane,
+         exact},
         {"P12",
          "the second light's shadow has holes where the first one's lies",
          two_lights,
