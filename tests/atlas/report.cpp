@@ -64,11 +64,11 @@ std::string summary(const Findings& found) {
 
 std::string text_table(const Findings& found) {
     std::string text = fmt::format(
-        "{:<12} {:<24} {:<46} {:>9} {:>9}  {}\n", "case", "remedy", "gate", "off", "on", "verdict");
+        "{:<20} {:<23} {:<46} {:>9} {:>9}  {}\n", "case", "remedy", "gate", "off", "on", "verdict");
     for (const Outcome& one : found.outcomes) {
         const Row row = row_of(one);
         text += fmt::format(
-            "{:<12} {:<24} {:<46} {:>9} {:>9}  {}\n",
+            "{:<20} {:<23} {:<46} {:>9} {:>9}  {}\n",
             row.id,
             row.remedy,
             row.gate,
