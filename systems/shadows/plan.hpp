@@ -53,7 +53,7 @@ struct PlanEntry {
     std::string_view technique;               ///< its name, as all techniques keep it
     std::vector<std::uint32_t> caster_groups; ///< indices into the light's groups
     Prediction predicted;                     ///< of all together
-    std::vector<Variant> variants;            ///< one for each group
+    std::vector<Variant> variants = {};       ///< one for each group
 };
 
 /// A technique that was not taken.

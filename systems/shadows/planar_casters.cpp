@@ -141,8 +141,9 @@ std::optional<PlanarCasters> planar_casters(
             if (endless && caster.id != receiver.entity) bounds = receiver.bounds;
             if (bounds.empty()) continue;
             casters.bounds.grow(bounds);
-            const auto set = remedies.on(Remedy::planar_box_budget) ? box_set(entry.variants[i].way)
-                                                                    : std::optional<std::size_t>(0);
+            const auto set = remedies.on(Remedy::planar_box_budget)
+                                 ? box_set(entry.variants.at(i).way)
+                                 : std::optional<std::size_t>(0);
             if (set && std::isfinite(caster.box_deviation[*set]) && caster.id != receiver.entity)
                 casters.boxed.push_back({caster.mesh, *set, caster.world_from_mesh});
             else

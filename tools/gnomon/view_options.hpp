@@ -48,9 +48,9 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options);
 
 /// A technique with its main settings in one word: "planar", "map@2048" (texels per side),
 /// "map@2048x2" (and cascades), "cascaded_map@1024:pcf" (and the filter), "planar@16" (light
-/// samples), "planar:boxes" (its way of doing it), "auto@0.5" (accepted error, pixels). What the word does not say is taken from
-/// `others`. Errors: a technique that does not exist, with the nearest one; a setting that is no
-/// number.
+/// samples), "planar:boxes" (its way of doing it), "auto@0.5" (accepted error, pixels). What the
+/// word does not say is taken from `others`. Errors: a technique that does not exist, with the
+/// nearest one; a setting that is no number.
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others = {});
 
