@@ -38,6 +38,7 @@ scene::ShadowWish read_wish(TableReader& reader) {
     wish.samples = reader.optional_integer("samples");
     wish.cascades = reader.optional_integer("cascades");
     wish.proxy = reader.optional_integer("proxy");
+    wish.way = reader.text("way");
     if (wish.technique && wish.never)
         for (const std::string& never : *wish.never)
             if (never == *wish.technique)
@@ -238,7 +239,15 @@ scene::RuleDescription read_rule(TableReader& reader) {
     rule.shadow = read_wish(reader);
     bool says_something = false;
     for (const char* field :
-         {"technique", "never", "error_px", "map_size", "filter", "samples", "cascades", "proxy"})
+         {"technique",
+          "never",
+          "error_px",
+          "map_size",
+          "filter",
+          "samples",
+          "cascades",
+          "proxy",
+          "way"})
         says_something = says_something || reader.has(field);
     if (!says_something)
         reader.complain(

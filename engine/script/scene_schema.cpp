@@ -65,7 +65,13 @@ std::vector<Field> wish_fields(const SceneVocabulary& vocabulary) {
          .type = FieldType::integer,
          .text = "How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 "
                  "is cheapest and coarsest.",
-         .range = {.min = 0.0, .max = 3.0}}};
+         .range = {.min = 0.0, .max = 3.0}},
+        {.name = "way",
+         .type = FieldType::choice,
+         .text = "How planar shadows are made: from the casters themselves, from boxes in their "
+                 "place, with a soft skirt, or kept in a texture. Without it the cheapest that is "
+                 "right enough.",
+         .words = vocabulary.ways}};
 }
 
 Kind scene_kind() {

@@ -13,6 +13,7 @@ namespace script {
 struct SceneVocabulary {
     std::vector<std::string> techniques; ///< names; "auto" is added where it makes sense
     std::vector<std::string> filters = {"nearest", "bilinear", "pcf", "pcss"};
+    std::vector<std::string> ways = {"geometry", "box", "boxes", "plateau", "texture"};
 };
 
 /// Kinds: scene, sun, spot, lamp, model, camera, rule, budget, shadow, light_shadow.
