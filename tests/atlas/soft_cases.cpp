@@ -92,6 +92,30 @@ Stage card_under_lamp(double height) {
     return stage;
 }
 
+/// Two cards under a lamp, side by side: where both shadows are, each hides the half that the other
+/// leaves.
+Stage two_halves(double gap) {
+    WorldBuilder builder = floor_of(14.0F);
+    for (const double side : {-1.0, 1.0})
+        builder.add(
+            side < 0.0 ? "left" : "right",
+            scene::make_box({1.5F, 0.02F, 1.5F}),
+            at({side * 0.5 * (1.5 + gap), side < 0.0 ? 2.0 : 1.9, 0.0}));
+    ecs::Registry& registry = builder.world.registry;
+    for (const ecs::Entity entity : registry.view<scene::Name, scene::ShadowRole>())
+        if (registry.get<scene::Name>(entity).text != "floor") // groups of their own
+            registry.patch<scene::ShadowRole>(
+                entity, [](scene::ShadowRole& role) { role.hero = true; });
+    scene::PlacedLight lamp = lamp_at({0.0, 4.0, 0.0});
+    lamp.light.radius = 0.5F;
+    builder.add_light(lamp);
+    Stage stage = pinned_stage(
+        std::move(builder.world), usual_camera(kPictureSize), "lamp", "floor", "shadow_texture");
+    stage.level.shadows.scene.samples = kTaps;
+    stage.level.shadows.scene.map_size = 256;
+    return stage;
+}
+
 /// A card that does not receive, so that the map's near end may lie below it.
 Stage high_card(double height) {
     Stage stage = card_at(height, 2.0);
@@ -142,6 +166,12 @@ std::vector<Case> soft_cases() {
          high_card,
          {8.0, 16.0, 14.0},
          Remedy::soft_true_heights,
+         {error_over_samples(1.5)}},
+        {"Y11",
+         "two cards that hide a half of a lamp each leave it half lit",
+         two_halves,
+         {0.0, 0.4, 0.0},
+         Remedy::texture_union,
          {error_over_samples(1.5)}},
         {"Points",
          "a lamp with a size throws hard shadows",

@@ -7,6 +7,7 @@
 
 #include "render/shared/bindings.h"
 #include "render/include/gbuffer.glsl"
+#include "shadows/include/light_given.glsl"
 #include "shadows/include/map_inputs.glsl"
 #include "shadows/include/map_place.glsl"
 #include "shadows/include/receivers.glsl"
@@ -20,7 +21,7 @@ noperspective in vec3 ray;
 flat in MapInputs map;
 
 #ifdef SUMMED
-layout(location = 0) out vec2 light; // blocked, given
+layout(location = 0) out float light; // blocked
 #else
 layout(location = 0) out float visibility;
 #endif
@@ -98,8 +99,8 @@ void main() {
     Receiver receiver = receiver_at(point, facet, shaded, to_light);
     bool blocked = serves(id) && dot(receiver.normal, to_light) > 0.0 && dark(receiver);
 #ifdef SUMMED
-    float given = max(dot(receiver.normal, normalize(to_light)), 0.0);
-    light = vec2(blocked ? given : 0.0, given);
+    if (!blocked) discard;
+    light = given_by(facet, shaded, to_light);
 #else
     visibility = blocked ? 0.0 : 1.0;
 #endif

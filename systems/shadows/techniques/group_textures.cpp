@@ -1,6 +1,5 @@
 #include "systems/shadows/techniques/group_textures.hpp"
 
-#include "systems/shadows/light_samples.hpp"
 #include "systems/shadows/techniques/rectangles.hpp"
 
 #include <algorithm>
@@ -11,19 +10,15 @@ engine::Result<void> GroupTextures::update(
     const ShadowRequest& request,
     const CasterGroup& casters,
     const std::vector<const Plan*>& plans,
-    const TextureLayout& layout) {
+    const std::vector<LightView>& points,
+    int size) {
     const ShadowScene& scene = request.scene;
     remedies_ = request.remedies;
     receivers_.assign(plans, request.receiver_end);
     reaches_.clear();
-    const auto points = light_samples(
-        scene.lights[request.light],
-        casters.bounds.centre(),
-        remedies_.on(Remedy::texture_light_points) ? layout.samples : 1,
-        SamplePattern::hammersley);
     textures_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (auto updated = textures_[i].update(request, points[i], casters, layout.size); !updated)
+        if (auto updated = textures_[i].update(request, points[i], casters, size); !updated)
             return updated;
         for (const Plan* plan : plans)
             if (const auto reach =
@@ -69,21 +64,18 @@ GroupTextures::areas(const scene::CameraView& camera, const gpu::Rect& whole) co
         round = hull(round, area);
         sum += pixels(area);
     }
-    if (areas.size() > 1 && (is_soft() || pixels(round) <= sum)) return {round};
+    if (areas.size() > 1 && pixels(round) <= sum) return {round};
     return areas;
 }
 
 void GroupTextures::look_up(
-    gpu::Frame& frame, const scene::CameraView& camera, std::span<const gpu::Rect> areas) const {
-    gpu::RenderState state = gpu::kScreenState;
-    state.blend = is_soft() ? gpu::Blend::add : gpu::Blend::min;
+    gpu::Frame& frame,
+    const scene::CameraView& camera,
+    std::size_t point,
+    std::span<const gpu::Rect> areas,
+    const gpu::RenderState& state) const {
     receivers_.bind();
-    for (const CasterTexture& texture : textures_)
-        texture.look_up(frame, *mask_, camera, areas, state);
-}
-
-TextureLayout GroupTextures::layout() const {
-    return {textures_.empty() ? 0 : textures_.front().size(), static_cast<int>(textures_.size())};
+    textures_[point].look_up(frame, *mask_, camera, areas, state);
 }
 
 std::size_t GroupTextures::gpu_bytes() const {

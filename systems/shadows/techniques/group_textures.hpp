@@ -5,9 +5,7 @@
 
 #include "engine/render/light_visibility.hpp"
 #include "systems/shadows/techniques/caster_texture.hpp"
-#include "systems/shadows/techniques/light_sum.hpp"
 #include "systems/shadows/techniques/receiver_bits.hpp"
-#include "systems/shadows/textures/texture_prediction.hpp"
 #include "systems/shadows/volumes/swept_bounds.hpp"
 
 #include <vector>
@@ -18,12 +16,14 @@ class GroupTextures {
 public:
     /// Fits the textures to a group.
     /// @param plans those that name the group, at least one
+    /// @param points of the light, each without a size
     /// Errors: as fit_texture() has them.
     engine::Result<void> update(
         const ShadowRequest& request,
         const CasterGroup& casters,
         const std::vector<const Plan*>& plans,
-        const TextureLayout& layout);
+        const std::vector<LightView>& points,
+        int size);
 
     /// Draws those that have to be.
     engine::Result<void> render(
@@ -34,15 +34,19 @@ public:
 
     [[nodiscard]] bool is_soft() const { return textures_.size() > 1; }
     /// Where the mask may change: one rectangle round all receivers, or one for each where that is
-    /// less to draw. They overlap only where the mask takes the minimum.
+    /// less to draw.
     [[nodiscard]] std::vector<gpu::Rect>
     areas(const scene::CameraView& camera, const gpu::Rect& whole) const;
-    /// Looks into each texture. @pre a pass on the mask, or on a sum where they are soft, is open,
-    /// and the G-buffer is bound
+    /// Looks into one of the textures. @pre a pass on the mask, or on a sum where they are soft, is
+    /// open, and the G-buffer is bound
     void look_up(
-        gpu::Frame& frame, const scene::CameraView& camera, std::span<const gpu::Rect> areas) const;
+        gpu::Frame& frame,
+        const scene::CameraView& camera,
+        std::size_t point,
+        std::span<const gpu::Rect> areas,
+        const gpu::RenderState& state) const;
 
-    [[nodiscard]] TextureLayout layout() const;
+    [[nodiscard]] int size() const { return textures_.empty() ? 0 : textures_.front().size(); }
     /// From one of the light's points. @pre update() was called
     [[nodiscard]] const TextureView& view() const { return textures_.front().view(); }
     [[nodiscard]] std::size_t gpu_bytes() const;

@@ -1,36 +1,66 @@
 #include "systems/shadows/techniques/light_sum.hpp"
 
+#include "engine/core/check.hpp"
 #include "systems/shadows/techniques/rectangles.hpp"
 
+#include <fmt/format.h>
 #include <render/shared/bindings.h>
 #include <shadows/shared/receivers.h>
 
 namespace shadows {
 
-engine::Result<void>
-LightSum::prepare(gpu::ShaderLibrary& shaders, const std::string& label, const glm::ivec2& size) {
-    const auto program = shaders.graphics("gpu/fullscreen.vert", "shadows/light_sum.frag");
+engine::Result<void> LightSum::prepare(
+    gpu::ShaderLibrary& shaders,
+    const std::string& label,
+    const glm::ivec2& size,
+    const std::vector<LightView>& points) {
+    CHECK_LE(points.size(), 255U);
+    points_ = points;
+    const auto program = shaders.graphics(
+        "shadows/screen_ray.vert",
+        "shadows/light_sum.frag",
+        {fmt::format("POINTS={}", points.size())});
     if (!program) return program.error();
     program_ = *program;
     if (texture_ && texture_.width() == size.x && texture_.height() == size.y) return {};
     texture_ =
-        gpu::Texture(label, {.format = gpu::Format::rg32f, .width = size.x, .height = size.y});
-    auto target = gpu::Framebuffer::make(label, {.colors = {gpu::Attachment{&texture_}}});
+        gpu::Texture(label, {.format = gpu::Format::r32f, .width = size.x, .height = size.y});
+    stencil_ = gpu::Texture(
+        label + "/stencil",
+        {.format = gpu::Format::depth32f_stencil8, .width = size.x, .height = size.y});
+    auto target = gpu::Framebuffer::make(
+        label, {.colors = {gpu::Attachment{&texture_}}, .depth = gpu::Attachment{&stencil_}});
     if (!target) return target.error();
     target_ = *std::move(target);
     return {};
 }
 
-void LightSum::compose(gpu::Frame& frame, std::span<const gpu::Rect> areas) const {
+gpu::RenderState LightSum::adding(std::size_t point) const {
+    gpu::RenderState state = gpu::kScreenState;
+    state.blend = gpu::Blend::add;
+    state.stencil = gpu::Stencil::both(
+        {.test = gpu::Compare::not_equal,
+         .on_pass = gpu::StencilOp::replace,
+         .reference = static_cast<std::uint8_t>(point + 1)});
+    return state;
+}
+
+void LightSum::compose(
+    gpu::Frame& frame, const scene::CameraView& camera, const gpu::Rect& area) const {
+    std::vector<glm::vec4> points;
+    for (const LightView& point : points_)
+        points.push_back(
+            point.light.kind == scene::LightKind::directional
+                ? glm::vec4(-point.direction, 0.0F)
+                : glm::vec4(glm::vec3(point.position - camera.position), 1.0F));
+    program_->set("points", std::span<const glm::vec4>(points));
     gpu::RenderState state = gpu::kScreenState;
     state.blend = gpu::Blend::min;
+    state.scissor = area;
     texture_.bind(UNIT_VISIBILITY);
-    for (const gpu::Rect& area : areas) {
-        state.scissor = area;
-        frame.state(state);
-        frame.draw_fullscreen(*program_);
-        frame.counters().mask_fragments += pixels(area);
-    }
+    frame.state(state);
+    frame.draw_fullscreen(*program_);
+    frame.counters().mask_fragments += pixels(area);
 }
 
 } // namespace shadows

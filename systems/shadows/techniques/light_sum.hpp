@@ -1,5 +1,5 @@
-// A light of a size as a sum of points: each adds what it would give and what of that is blocked,
-// in floats, and the ratio of the two lowers the mask.
+// A light of a size as a sum of points: what of each is blocked adds up in a float, whatever and
+// however much blocks it, and lowers the mask by its share of what all points would give.
 //
 // What a point would give is the cosine between it and the surface, so points under a surface's
 // horizon do not count there. Source: P. Heckbert and M. Herf, "Simulating Soft Shadows with
@@ -11,29 +11,42 @@
 #include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
+#include "systems/shadows/shadow_scene.hpp"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace shadows {
 
 class LightSum {
 public:
     /// Makes the sum as large as the picture.
+    /// @param points of the light, at most 255: a stencil tells them apart
     /// Errors: a shader that does not compile; the driver does not draw into the sum.
-    engine::Result<void>
-    prepare(gpu::ShaderLibrary& shaders, const std::string& label, const glm::ivec2& size);
+    engine::Result<void> prepare(
+        gpu::ShaderLibrary& shaders,
+        const std::string& label,
+        const glm::ivec2& size,
+        const std::vector<LightView>& points);
 
-    /// What programs add (blocked, given) to, from 0 on.
+    /// Where what is blocked adds up, from 0 on; clear it and its stencil.
     [[nodiscard]] const gpu::Framebuffer& target() const { return target_; }
+    /// State in which a program that writes what is blocked of a point, and discards where nothing
+    /// is, adds it once for each pixel.
+    [[nodiscard]] gpu::RenderState adding(std::size_t point) const;
 
-    /// Lowers the mask to what is not blocked. @pre a pass on the mask is open
-    void compose(gpu::Frame& frame, std::span<const gpu::Rect> areas) const;
+    /// Lowers the mask to what is not blocked. @pre a pass on the mask is open, the G-buffer bound
+    void compose(gpu::Frame& frame, const scene::CameraView& camera, const gpu::Rect& area) const;
 
-    [[nodiscard]] std::size_t gpu_bytes() const { return texture_.size_bytes(); }
+    [[nodiscard]] std::size_t gpu_bytes() const {
+        return texture_.size_bytes() + stencil_.size_bytes();
+    }
 
 private:
-    gpu::Texture texture_; ///< rg32f: blocked, given
+    std::vector<LightView> points_;
+    gpu::Texture texture_; ///< r32f
+    gpu::Texture stencil_; ///< the point, from 1 on, that added last
     gpu::Framebuffer target_;
     const gpu::Program* program_ = nullptr;
 };

@@ -199,8 +199,7 @@ private:
         if (!mark) return mark.error();
         const auto sum = shaders.graphics("gpu/fullscreen.vert", "shadows/planar_sum.frag");
         if (!sum) return sum.error();
-        const auto kept =
-            shaders.graphics("shadows/plane_texture.vert", "shadows/plane_texture.frag");
+        const auto kept = shaders.graphics("shadows/screen_ray.vert", "shadows/plane_texture.frag");
         if (!kept) return kept.error();
         mark_ = *mark;
         sum_mask_ = *sum;

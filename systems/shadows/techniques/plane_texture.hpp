@@ -31,7 +31,7 @@ public:
         std::span<const PlanarSample> samples) const;
 
     /// Lowers the mask where a receiver on the plane is seen.
-    /// @param program of plane_texture.vert and plane_texture.frag
+    /// @param program of screen_ray.vert and plane_texture.frag
     /// @pre a pass is open, its mask blends by minimum, G-buffer and depth are bound
     void look_up(
         gpu::Frame& frame,

@@ -98,11 +98,6 @@ engine::Result<std::optional<Lie>> lie_of(const PairView& pair, const CasterGrou
          may_darken_itself(pair, casters) ? kOwnEdgeTexels : kTextureEdgeTexels});
 }
 
-/// Memory is what limits textures that are kept: 64 MiB of 16 bytes a texel.
-int most_samples(int size) {
-    return std::max(1, (64 << 20) / (16 * size * size));
-}
-
 /// Of a layout: pixels of displacement, per length of edge.
 double error_of(const Lie& lie, const TextureLayout& layout, double penumbra) {
     const double edges = lie.edge_texels * lie.footprint / layout.size;
@@ -127,6 +122,11 @@ TextureLayout layout_for(const PairView& pair, const Lie& lie, double penumbra) 
 }
 
 } // namespace
+
+int most_samples(int size) {
+    constexpr int kBytesPerTexel = 16;
+    return std::max(1, (64 << 20) / (kBytesPerTexel * size * size));
+}
 
 engine::Result<Prediction> predict_texture(const PairView& pair, const CasterGroup& casters) {
     const auto lie = lie_of(pair, casters);

@@ -28,6 +28,9 @@ struct TextureLayout {
     bool operator==(const TextureLayout&) const = default;
 };
 
+/// How many textures of a size are kept: 64 MiB.
+int most_samples(int size);
+
 /// What serves two receivers.
 TextureLayout finer(const TextureLayout& a, const TextureLayout& b);
 
