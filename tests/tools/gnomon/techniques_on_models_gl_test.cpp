@@ -203,6 +203,8 @@ TEST_P(TechniquesOnModels, AreRightOrRefuseWithAReason) {
             truths.emplace(by, truth::true_visibility(tracer, *camera, lights[index]));
         level->shadows.lights = {{by, {}}};
         level->shadows.lights[by].technique = name;
+        // Boxes in the place of casters are right within a budget only.
+        if (name == "planar") level->shadows.lights[by].way = "geometry";
         const Result result = try_one(*level, *camera, index, truths.at(by));
 
         const auto px = [](const measure::Figure& figure) {
