@@ -114,6 +114,8 @@ public:
     }
 
     [[nodiscard]] bool still_serves(const ShadowRequest& request) const override {
+        const scene::CameraView& camera = request.scene.camera;
+        if (picture_ != glm::ivec2(camera.width, camera.height)) return false;
         const auto wanted = wanted_by(request);
         if (kept_samples(samples_for_all(wanted), request.wish) != samples_) return false;
         return std::all_of(wanted.begin(), wanted.end(), [&](const auto& want) {
