@@ -22,17 +22,7 @@ engine::Result<void> LightSum::prepare(
         {fmt::format("POINTS={}", points.size())});
     if (!program) return program.error();
     program_ = *program;
-    if (texture_ && texture_.width() == size.x && texture_.height() == size.y) return {};
-    texture_ =
-        gpu::Texture(label, {.format = gpu::Format::r32f, .width = size.x, .height = size.y});
-    stencil_ = gpu::Texture(
-        label + "/stencil",
-        {.format = gpu::Format::depth32f_stencil8, .width = size.x, .height = size.y});
-    auto target = gpu::Framebuffer::make(
-        label, {.colors = {gpu::Attachment{&texture_}}, .depth = gpu::Attachment{&stencil_}});
-    if (!target) return target.error();
-    target_ = *std::move(target);
-    return {};
+    return sum_.prepare(label, {.format = gpu::Format::r32f, .width = size.x, .height = size.y});
 }
 
 gpu::RenderState LightSum::adding(std::size_t point) const {
@@ -57,7 +47,7 @@ void LightSum::compose(
     gpu::RenderState state = gpu::kScreenState;
     state.blend = gpu::Blend::min;
     state.scissor = area;
-    texture_.bind(UNIT_VISIBILITY);
+    sum_.texture.bind(UNIT_VISIBILITY);
     frame.state(state);
     frame.draw_fullscreen(*program_);
     frame.counters().mask_fragments += pixels(area);

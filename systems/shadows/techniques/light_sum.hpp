@@ -8,10 +8,9 @@
 #pragma once
 
 #include "engine/gpu/frame.hpp"
-#include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/shader_library.hpp"
-#include "engine/gpu/texture.hpp"
 #include "systems/shadows/shadow_scene.hpp"
+#include "systems/shadows/techniques/sum_target.hpp"
 
 #include <span>
 #include <string>
@@ -31,7 +30,7 @@ public:
         const std::vector<LightView>& points);
 
     /// Where what is blocked adds up, from 0 on; clear it and its stencil.
-    [[nodiscard]] const gpu::Framebuffer& target() const { return target_; }
+    [[nodiscard]] const gpu::Framebuffer& target() const { return sum_.framebuffer; }
     /// State in which a program that writes what is blocked of a point, and discards where nothing
     /// is, adds it once for each pixel.
     [[nodiscard]] gpu::RenderState adding(std::size_t point) const;
@@ -39,15 +38,11 @@ public:
     /// Lowers the mask to what is not blocked. @pre a pass on the mask is open, the G-buffer bound
     void compose(gpu::Frame& frame, const scene::CameraView& camera, const gpu::Rect& area) const;
 
-    [[nodiscard]] std::size_t gpu_bytes() const {
-        return texture_.size_bytes() + stencil_.size_bytes();
-    }
+    [[nodiscard]] std::size_t gpu_bytes() const { return sum_.gpu_bytes(); }
 
 private:
     std::vector<LightView> points_;
-    gpu::Texture texture_; ///< r32f
-    gpu::Texture stencil_; ///< the point, from 1 on, that added last
-    gpu::Framebuffer target_;
+    SumTarget sum_; ///< r32f; in its stencil the point, from 1 on, that added last
     const gpu::Program* program_ = nullptr;
 };
 

@@ -9,9 +9,8 @@ PlanarSum::prepare(const std::string& label, const glm::ivec2& size, const Remed
     remedies_ = remedies;
     const gpu::Format format =
         remedies_.on(Remedy::planar_float_sum) ? gpu::Format::r32f : gpu::Format::r8;
-    if (texture_ && this->size() == size && texture_.format() == format) return {};
     // Read as a texture of a plane it is filtered, and nothing is dark beyond it.
-    texture_ = gpu::Texture(
+    return sum_.prepare(
         label,
         {.format = format,
          .width = size.x,
@@ -20,14 +19,6 @@ PlanarSum::prepare(const std::string& label, const glm::ivec2& size, const Remed
              .min = gpu::Filter::linear,
              .mag = gpu::Filter::linear,
              .wrap = gpu::Wrap::clamp_to_border}});
-    stencil_ = gpu::Texture(
-        label + "/stencil",
-        {.format = gpu::Format::depth32f_stencil8, .width = size.x, .height = size.y});
-    auto target = gpu::Framebuffer::make(
-        label, {.colors = {gpu::Attachment{&texture_}}, .depth = gpu::Attachment{&stencil_}});
-    if (!target) return target.error();
-    target_ = *std::move(target);
-    return {};
 }
 
 float PlanarSum::added(const PlanarSample& sample, std::size_t count) const {

@@ -6,9 +6,8 @@
 
 #pragma once
 
-#include "engine/gpu/framebuffer.hpp"
-#include "engine/gpu/texture.hpp"
 #include "systems/shadows/techniques/planar_draws.hpp"
+#include "systems/shadows/techniques/sum_target.hpp"
 
 namespace shadows {
 
@@ -24,8 +23,8 @@ public:
     engine::Result<void>
     prepare(const std::string& label, const glm::ivec2& size, const Remedies& remedies);
 
-    [[nodiscard]] const gpu::Framebuffer& target() const { return target_; }
-    [[nodiscard]] const gpu::Texture& texture() const { return texture_; }
+    [[nodiscard]] const gpu::Framebuffer& target() const { return sum_.framebuffer; }
+    [[nodiscard]] const gpu::Texture& texture() const { return sum_.texture; }
 
     /// Adds the shadows of all samples. A pass on target() is open, and the stencil is open where
     /// it may be drawn.
@@ -54,22 +53,18 @@ public:
         }
     }
 
-    [[nodiscard]] glm::ivec2 size() const { return {texture_.width(), texture_.height()}; }
+    [[nodiscard]] glm::ivec2 size() const { return {texture().width(), texture().height()}; }
     /// State of draws whose darkest fragment counts. @pre as add() has them
     [[nodiscard]] gpu::RenderState darkest_state(const gpu::Rect& area) const;
 
-    [[nodiscard]] std::size_t gpu_bytes() const {
-        return texture_.size_bytes() + stencil_.size_bytes();
-    }
+    [[nodiscard]] std::size_t gpu_bytes() const { return sum_.gpu_bytes(); }
 
 private:
     [[nodiscard]] float added(const PlanarSample& sample, std::size_t count) const;
     [[nodiscard]] gpu::RenderState adding_state(const gpu::Rect& area, std::uint8_t mark) const;
 
     Remedies remedies_;
-    gpu::Texture texture_;
-    gpu::Texture stencil_;
-    gpu::Framebuffer target_;
+    SumTarget sum_;
 };
 
 } // namespace shadows
