@@ -16,6 +16,8 @@ namespace engine {
 struct SourcePlace {
     std::string file; ///< path as the person named it, "scenes/courtyard.lua"
     int line = 0;     ///< 1-based; 0 when the whole file is meant
+
+    bool operator==(const SourcePlace&) const = default;
 };
 
 /// One sentence a person can act on, and where.

@@ -36,6 +36,11 @@ GeometryPool::GeometryPool()
       attributes_(gpu::Buffer::dynamic("geometry/attributes")),
       indices_(gpu::Buffer::dynamic("geometry/indices")) {}
 
+void GeometryPool::clear() {
+    slots_.clear();
+    poses_.clear();
+}
+
 void GeometryPool::sync(const scene::World& world) {
     const auto& registry = world.registry;
     bool known = slots_.size() == world.assets.meshes.size()
@@ -53,8 +58,7 @@ void GeometryPool::rebuild(const scene::World& world) {
     std::vector<glm::vec3> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
-    slots_.clear();
-    poses_.clear();
+    clear();
     for (const scene::Mesh& mesh : world.assets.meshes) {
         slots_.push_back(
             {static_cast<std::uint32_t>(indices.size()),

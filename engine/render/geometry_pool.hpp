@@ -33,6 +33,8 @@ class GeometryPool {
 public:
     GeometryPool();
 
+    /// Forgets the meshes and poses of a world; the buffers stay, since draws know them.
+    void clear();
     /// Uploads what is new and re-writes poses that changed. Does nothing in a still scene.
     void sync(const scene::World& world);
 

@@ -85,6 +85,13 @@ engine::Result<void> Renderer::draw_frame(
 }
 
 void Renderer::sync(const scene::World& world) {
+    if (world.identity.number() != world_) {
+        pool_.clear();
+        textures_ = Textures();
+        items_ = DrawItems();
+        mesh_versions_ = 0;
+        world_ = world.identity.number();
+    }
     const std::uint64_t versions = world.registry.version<scene::MeshInstance>();
     if (versions != mesh_versions_) receivers_ = scene::ReceiverTable(world);
     mesh_versions_ = versions;

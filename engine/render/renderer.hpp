@@ -86,6 +86,7 @@ private:
     DrawList list_;
     Lighting lighting_;
     scene::ReceiverTable receivers_;
+    std::uint64_t world_ = 0; ///< number of the world that was drawn last
     std::uint64_t mesh_versions_ = 0;
     std::optional<GBuffer> gbuffer_;
     MaskLayers masks_;

@@ -24,6 +24,8 @@ struct CameraView {
     int width = 1280;
     int height = 720;
 
+    bool operator==(const CameraView&) const = default;
+
     [[nodiscard]] double aspect() const { return static_cast<double>(width) / height; }
 
     /// Reversed infinite projection: z_clip = near, w_clip = -z_view, so depth is near / distance.

@@ -28,6 +28,8 @@ struct ShadowWish {
     std::optional<int> cascades;
     std::optional<int> proxy; ///< level of simplified casters of volumes; 0: the casters themselves
     std::optional<std::string> way; ///< of its ways of doing it, the one a technique has to take
+
+    bool operator==(const ShadowWish&) const = default;
 };
 
 struct LightDescription {
@@ -91,6 +93,8 @@ struct RuleDescription {
     std::optional<float> distance; ///< applies from this distance to the camera on, metres
     ShadowWish shadow;
     engine::SourcePlace place;
+
+    bool operator==(const RuleDescription&) const = default;
 };
 
 struct SceneDescription {

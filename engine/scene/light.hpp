@@ -28,6 +28,8 @@ struct Light {
                                  ///< radians; 0 gives hard shadows
     bool casts_shadow = true;
     bool on = true;
+
+    bool operator==(const Light&) const = default;
 };
 
 /// One light of a frame: plain values, world space.
@@ -37,6 +39,8 @@ struct PlacedLight {
     Light light;
     glm::dvec3 position = {};                  ///< unused for directional lights
     glm::vec3 direction = {0.0F, -1.0F, 0.0F}; ///< unit; the way the light travels
+
+    bool operator==(const PlacedLight&) const = default;
 };
 
 /// Luminous intensity over squared distance, the window that ends it at its range and the cone,

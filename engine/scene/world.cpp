@@ -4,11 +4,17 @@
 
 #include "engine/core/check.hpp"
 
+#include <atomic>
 #include <unordered_map>
 
 namespace scene {
 
 namespace {
+
+std::uint64_t next_world() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 void give_world_transforms(ecs::Registry& registry) {
     std::vector<ecs::Entity> without;
@@ -52,6 +58,8 @@ std::vector<PlacementOrder::Entry> parents_first(const ecs::Registry& registry) 
 }
 
 } // namespace
+
+WorldIdentity::WorldIdentity() : number_(next_world()) {}
 
 void update_world_transforms(World& world) {
     ecs::Registry& registry = world.registry;

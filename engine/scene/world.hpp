@@ -41,7 +41,26 @@ struct PlacementOrder {
     std::uint64_t world_transforms_version = 0;
 };
 
+/// Which world this is. No two worlds of a process share one, so that nothing made from a world is
+/// ever taken for another's; it moves with its world, and a copy is another world.
+class WorldIdentity {
+public:
+    WorldIdentity();
+    WorldIdentity(const WorldIdentity& /*another*/) : WorldIdentity() {}
+    WorldIdentity(WorldIdentity&&) noexcept = default;
+    WorldIdentity& operator=(const WorldIdentity& /*another*/) { return *this = WorldIdentity(); }
+    WorldIdentity& operator=(WorldIdentity&&) noexcept = default;
+    ~WorldIdentity() = default;
+
+    /// Never 0.
+    [[nodiscard]] std::uint64_t number() const { return number_; }
+
+private:
+    std::uint64_t number_;
+};
+
 struct World {
+    WorldIdentity identity;
     ecs::Registry registry;
     Assets assets;
     PlacementOrder placement; ///< of update_world_transforms alone

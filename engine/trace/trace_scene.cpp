@@ -35,7 +35,8 @@ struct Entry {
 struct TraceScene::State {
     std::unique_ptr<CandidateTree> tree; ///< from the first update of a world with something in it
     std::map<ecs::Entity, std::unique_ptr<Entry>> entries;
-    std::array<std::uint64_t, 4> seen = {}; ///< versions of whole storages at the last update
+    /// The world at the last update, and the versions of whole storages.
+    std::array<std::uint64_t, 5> seen = {};
     glm::dvec3 origin = {};
     double reach = 0.0; ///< largest coordinate relative to the origin that the pads are made for
     engine::Box<glm::dvec3> bounds; ///< relative to the origin
@@ -126,8 +127,10 @@ TraceScene& TraceScene::operator=(TraceScene&&) noexcept = default;
 
 void TraceScene::update(const scene::World& world) {
     const ecs::Registry& registry = world.registry;
+    if (world.identity.number() != state_->seen.front()) state_ = std::make_unique<State>();
     State& state = *state_;
-    const std::array<std::uint64_t, 4> versions = {
+    const std::array<std::uint64_t, 5> versions = {
+        world.identity.number(),
         registry.version<scene::MeshInstance>(),
         registry.version<scene::WorldTransform>(),
         registry.version<scene::PosedMesh>(),

@@ -87,9 +87,13 @@ struct ShadowScene {
     std::vector<std::uint32_t> place_of_receiver; ///< by id: an index into receivers
 
     /// @pre `id` is that of one of the lights
-    [[nodiscard]] const LightView& light(std::uint32_t id) const {
-        return *std::find_if(
+    [[nodiscard]] std::uint32_t index_of_light(std::uint32_t id) const {
+        const auto found = std::find_if(
             lights.begin(), lights.end(), [&](const LightView& view) { return view.id == id; });
+        return static_cast<std::uint32_t>(found - lights.begin());
+    }
+    [[nodiscard]] const LightView& light(std::uint32_t id) const {
+        return lights[index_of_light(id)];
     }
     /// @pre measure_receivers() was called and `id` is a receiver's
     [[nodiscard]] const ReceiverView& receiver(std::uint32_t id) const {

@@ -30,6 +30,8 @@ struct ShadowSettings {
     /// @param distance from the camera to the receiver, metres
     [[nodiscard]] scene::ShadowWish
     resolve(const scene::PlacedLight& light, std::string_view receiver, double distance) const;
+
+    bool operator==(const ShadowSettings&) const = default;
 };
 
 /// The accepted error where nobody set one, in pixels of edge displacement.

@@ -12,11 +12,12 @@ namespace shadows {
 
 namespace {
 
-/// Changes whenever something moves, deforms, comes or goes.
+/// Changes whenever something moves, deforms, comes, goes or gets another name.
 std::uint64_t versions_of(const scene::World& world) {
     const auto& registry = world.registry;
     return registry.version<scene::MeshInstance>() + registry.version<scene::WorldTransform>()
-           + registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>();
+           + registry.version<scene::ShadowRole>() + registry.version<scene::PosedMesh>()
+           + registry.version<scene::Name>();
 }
 
 /// Everything about a light, its plans and what was asked that a job draws from. Equal text, equal
@@ -77,14 +78,26 @@ ShadowSystem::ShadowSystem(DeviceProfile profile)
       profile_(profile) {}
 
 engine::Result<void> ShadowSystem::prepare(const render::FrameInput& input) {
+    PlannedFrom from{
+        input.world.identity.number(),
+        versions_of(input.world),
+        input.camera,
+        {input.lights.begin(), input.lights.end()},
+        settings,
+        remedies,
+        wraps_stencil};
+    const bool world_changed = from.versions != planned_from_.versions;
+    if (from.world != planned_from_.world || from.remedies != planned_from_.remedies) jobs_.clear();
+    if (from != planned_from_) make_plan(input);
+    planned_from_ = std::move(from);
+    return update_due_jobs(input, world_changed);
+}
+
+void ShadowSystem::make_plan(const render::FrameInput& input) {
     scene_ = take_snapshot(input.world, input.receivers, input.camera, input.lights);
     scene_.wraps_stencil = wraps_stencil;
     plan_ = pick(scene_, settings, techniques_, profile_);
     assign_jobs();
-    const std::uint64_t versions = versions_of(input.world);
-    const bool changed = versions != world_versions_;
-    world_versions_ = versions;
-    return update_due_jobs(input, changed);
 }
 
 void ShadowSystem::assign_jobs() {
@@ -97,15 +110,18 @@ void ShadowSystem::assign_jobs() {
             if (found == jobs_.end()) {
                 auto job = find_technique(techniques_, entry.technique)->start();
                 if (job == nullptr) continue;
-                found = jobs_.emplace(key, RunningJob{std::move(job), 0, {}, {}}).first;
+                found = jobs_.emplace(key, RunningJob{std::move(job)}).first;
             }
             found->second.plans.push_back(&plan);
         }
     }
     std::erase_if(jobs_, [](const auto& entry) { return entry.second.plans.empty(); });
-    for (std::uint32_t light = 0; light < scene_.lights.size(); ++light)
-        for (auto& [key, running] : jobs_)
-            if (key.first == scene_.lights[light].id) running.light = light;
+    for (auto& [key, running] : jobs_) {
+        running.light = scene_.index_of_light(key.first);
+        const LightView& light = scene_.lights[running.light];
+        running.wish = settings.resolve(light, "", 0.0);
+        running.wanted = fingerprint(light, running.plans, running.wish);
+    }
 }
 
 engine::Result<void>
@@ -116,9 +132,6 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
     };
     const auto receiver_end = input.receivers.end();
     for (auto& [key, running] : jobs_) {
-        const LightView& light = scene_.lights[running.light];
-        const scene::ShadowWish wish = settings.resolve(light, "", 0.0);
-        std::string wanted = fingerprint(light, running.plans, wish);
         const auto& groups = plan_.groups[running.light].groups;
         const ShadowRequest request{
             input.world,
@@ -128,14 +141,14 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
             running.plans,
             receiver_end,
             serves_all(key),
-            wish,
+            running.wish,
             remedies,
             ask_truth};
-        if (!always_refresh && !world_changed && wanted == running.drawn_for
+        if (!always_refresh && !world_changed && running.wanted == running.drawn_for
             && running.job->still_serves(request))
             continue;
         if (auto updated = running.job->update(request); !updated) return updated;
-        running.drawn_for = std::move(wanted);
+        running.drawn_for = running.wanted;
         due_.push_back(&running);
     }
     return {};

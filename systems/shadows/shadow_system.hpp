@@ -56,14 +56,30 @@ private:
     /// A light's id and the technique at work for it.
     using JobKey = std::pair<std::uint32_t, std::string_view>;
 
+    /// All that plans are made from: equal values, equal plans.
+    struct PlannedFrom {
+        std::uint64_t world = 0;    ///< its number; 0: there is no plan
+        std::uint64_t versions = 0; ///< of what a snapshot copies from it
+        scene::CameraView camera;
+        std::vector<scene::PlacedLight> lights;
+        ShadowSettings settings;
+        Remedies remedies;
+        bool wraps_stencil = true;
+
+        bool operator==(const PlannedFrom&) const = default;
+    };
+
     /// A job with what it was last drawn for.
     struct RunningJob {
         std::unique_ptr<ShadowJob> job;
-        std::uint32_t light = 0;        ///< index into scene_.lights
-        std::vector<const Plan*> plans; ///< into plan_
-        std::string drawn_for; ///< fingerprint of light and plans at the last refresh; empty: never
+        std::uint32_t light = 0;             ///< index into scene_.lights
+        std::vector<const Plan*> plans = {}; ///< into plan_
+        scene::ShadowWish wish = {};         ///< for its light as a whole
+        std::string wanted = {};             ///< fingerprint of light and plans
+        std::string drawn_for = {};          ///< the same at the last refresh; empty: never
     };
 
+    void make_plan(const render::FrameInput& input);
     void assign_jobs();
     engine::Result<void> update_due_jobs(const render::FrameInput& input, bool world_changed);
     [[nodiscard]] bool serves_all(const JobKey& key) const;
@@ -75,7 +91,7 @@ private:
     FramePlan plan_;
     std::map<JobKey, RunningJob> jobs_;
     std::vector<RunningJob*> due_;
-    std::uint64_t world_versions_ = 0;
+    PlannedFrom planned_from_;
     trace::TraceScene truth_;
 };
 
