@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace scene {
@@ -92,6 +93,42 @@ double outline(const Picture& picture, const View& view) {
     return (across / cells.y + along / cells.x) * std::numbers::pi / 4.0;
 }
 
+/// The farthest that a cell of `outer` is from the cells of `inner`, in mesh units; 0 where either
+/// has none. Source: T. Saito and J. Toriwaki, "New Algorithms for Euclidean Distance
+/// Transformation of an n-Dimensional Digitized Picture", 1994.
+double farthest(const Picture& outer, const Picture& inner, const View& view) {
+    if (inner.none()) return 0.0;
+    constexpr double kFar = 1e9; // cells
+    std::array<double, Picture().size()> along_row = {};
+    for (int y = 0; y < kSide; ++y) {
+        double left = kFar;
+        double right = kFar;
+        for (int x = 0; x < kSide; ++x) {
+            left = inner.test(cell(x, y)) ? 0.0 : left + 1.0;
+            along_row[cell(x, y)] = left;
+        }
+        for (int x = kSide - 1; x >= 0; --x) {
+            right = inner.test(cell(x, y)) ? 0.0 : right + 1.0;
+            along_row[cell(x, y)] = std::min(along_row[cell(x, y)], right);
+        }
+    }
+    const glm::dvec2 cell_size = 1.0 / glm::dvec2(view.cells_per_unit);
+    double most = 0.0;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            if (!outer.test(cell(x, y)) || inner.test(cell(x, y))) continue;
+            double nearest = std::numeric_limits<double>::infinity();
+            for (int row = 0; row < kSide; ++row)
+                nearest = std::min(
+                    nearest, glm::length(glm::dvec2(along_row[cell(x, row)], row - y) * cell_size));
+            most = std::max(most, nearest);
+        }
+    return most;
+}
+
+/// Of the farthest place, what counts as deviation.
+constexpr double kFarthestShare = 0.25;
+
 float deviation(
     const std::vector<engine::Aabb>& boxes,
     const std::vector<Triangle>& triangles,
@@ -110,6 +147,7 @@ float deviation(
             static_cast<double>((of_mesh ^ of_boxes).count()) / (cells.x * cells.y);
         const double length = outline(of_boxes, view);
         if (length > 0.0) worst = std::max(worst, between / length);
+        worst = std::max(worst, kFarthestShare * farthest(of_boxes, of_mesh, view));
     }
     return static_cast<float>(worst);
 }

@@ -15,8 +15,11 @@ namespace scene {
 /// Boxes that hold all triangles of a mesh, mesh space.
 struct BoxSet {
     std::vector<engine::Aabb> boxes;
-    /// How far the boxes' outline lies outside of the mesh's, in mesh units: the area between the
-    /// two over the length of the boxes' outline, the worst of views along the three axes.
+    /// How far the boxes' outline lies outside of the mesh's, in mesh units, the worst of views
+    /// along the three axes: the area between the two over the length of the boxes' outline, or a
+    /// quarter of how far a place between them is from the mesh where that is more, so that a hole
+    /// that is filled does not vanish in the mean. (In the corners of a square round a disc that is
+    /// three times the mean.)
     float deviation = 0.0F;
 };
 

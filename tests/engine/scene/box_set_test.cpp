@@ -1,5 +1,6 @@
 #include "engine/scene/box_set.hpp"
 #include "engine/scene/primitives.hpp"
+#include "tests/support/worlds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,25 @@ TEST(BoxSets, KnowHowFarABoxIsFromABall) {
     const double expected = (4.0 - std::numbers::pi) / (8.0 * std::numbers::pi / 4.0);
     ASSERT_EQ(ball.box_sets.size(), 2U);
     EXPECT_NEAR(static_cast<double>(ball.box_sets[0].deviation), expected, 0.02);
+}
+
+TEST(BoxSets, AHoleThatIsFilledDoesNotVanishInTheMean) {
+    // A frame with bars at right angles: the mean over all outlines is small, the holes are not.
+    Mesh grate;
+    constexpr int kBars = 9;
+    constexpr float kSpacing = 0.25F;
+    for (int i = 0; i < kBars; ++i) {
+        const float place = kSpacing * static_cast<float>(i);
+        test_support::add_part(grate, make_box({2.05F, 0.05F, 0.05F}), {1.0F, 0.0F, place});
+        test_support::add_part(grate, make_box({0.05F, 0.05F, 2.05F}), {place, 0.0F, 1.0F});
+    }
+
+    const auto sets = make_box_sets(grate.positions, grate.indices);
+
+    // The middle of a hole is half a hole away from the bars, a cell is 2.05 / 64.
+    constexpr double kHalfHole = 0.5 * (0.25 - 0.05);
+    ASSERT_EQ(sets.size(), 2U);
+    EXPECT_GT(static_cast<double>(sets[0].deviation), 0.25 * (kHalfHole - 0.04));
 }
 
 TEST(BoxSets, SeveralAreNearerThanOne) {
