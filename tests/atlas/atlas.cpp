@@ -95,6 +95,7 @@ engine::Result<Observation> observe(
     if (!opened) return opened.error();
     gnomon::Studio& studio = **opened;
     studio.shadows().remedies = remedies;
+    if (!stage.wraps_stencil) studio.shadows().wraps_stencil = false;
     scene::update(stage.level.world, 0.0F);
     if (auto drawn = studio.draw(stage.level, stage.camera); !drawn) return drawn.error();
     if (const auto unserved = studio.shadows().unserved(); !unserved.empty())
@@ -103,6 +104,7 @@ engine::Result<Observation> observe(
     const auto light = find_light(studio.lights(), stage.light);
     if (!light) return light.error();
     Observation seen;
+    seen.counters = studio.renderer().frame().counters();
     auto compared = compare(studio, stage, *light, truth);
     if (!compared) return compared.error();
     seen.comparison = *std::move(compared);

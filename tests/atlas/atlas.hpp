@@ -26,11 +26,13 @@ inline constexpr int kPictureSize = 256;
 struct Stage {
     gnomon::Level level; ///< with the technique pinned
     scene::CameraView camera;
-    std::string light; ///< whose mask is measured
+    std::string light;         ///< whose mask is measured
+    bool wraps_stencil = true; ///< false: as on a driver that does not
 };
 
 /// One measured picture.
 struct Observation {
+    gpu::Counters counters; ///< of the frame
     measure::Comparison comparison;
     measure::Figures figures; ///< of the comparison
 };

@@ -23,6 +23,12 @@ std::vector<Impossible> impossible() {
         {"M17",
          "light bleeds through where maps keep mean and variance",
          "maps keep depths, and compare each"},
+        {"V13",
+         "caps at infinity are cut off by a last bit of their depth",
+         "depth is reversed: what lies at infinity has a depth of exactly 0, and no limit is near"},
+        {"V15",
+         "the terminator of a coarse mesh has teeth",
+         "the truth has the same teeth: they are the mesh's, and shading's to hide"},
     };
 }
 

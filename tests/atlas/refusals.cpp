@@ -68,6 +68,12 @@ Stage leaf_card() {
     return pinned(builder, "sun", "floor", "volume");
 }
 
+Stage driver_that_clamps() {
+    Stage stage = ball_under(sun_at(50.0), "floor", "volume");
+    stage.wraps_stencil = false;
+    return stage;
+}
+
 Stage lamp_in_blob() {
     return ball_under(lamp_at({0.0, 1.75, 0.0}), "floor", "blob");
 }
@@ -117,6 +123,11 @@ std::vector<Refusal> refusals() {
          "volume",
          leaf_card,
          "'leaf' has holes that its texture cuts"},
+        {"V14",
+         "counts of volumes are wrong on a driver that clamps them",
+         "volume",
+         driver_that_clamps,
+         "this driver's stencil does not wrap"},
         {"B5",
          "no ellipse has the outline of a caster that surrounds the lamp",
          "blob",

@@ -5,11 +5,7 @@
 // Hardware-Accelerated Rendering", 2002; M. McGuire, "Efficient Shadow Volume Rendering", GPU Gems,
 // 2004.
 //
-// Three known failures are no cases. Caps lost by a last bit of depth at infinity (V13): what lies
-// there has depth 0 without rounding, nothing is near a limit. A terminator with teeth (V15): truth
-// has it too, it is shading's to hide. Too many fragments (V17): the picture is right, only slow;
-// what is predicted of them is compared with what is counted by tests/systems/shadows/volumes. Two
-// are refused by prediction and tested there: a driver that does not wrap (V14), alpha masks (V16).
+// V13 and V15 cannot occur (impossible.cpp); V14 and V16 are refused (refusals.cpp).
 
 #include "tests/atlas/volume_stage.hpp"
 #include "tests/support/worlds.hpp"
@@ -82,6 +78,28 @@ Stage simplified_ring(double elevation) {
     stage.camera = camera_looking({0.0, 3.5, 3.0}, {0.0, 0.8, 0.0}, kPictureSize, kPictureSize);
     stage.level.shadows.scene.proxy = 1;
     return stage;
+}
+
+/// Marbles all over the floor: each volume reaches a small part of the picture.
+Stage marbles(double count) {
+    WorldBuilder builder = floor_of(20.0F);
+    builder.add("marble 0", scene::make_sphere(0.15F), at({-2.8, 0.15, -2.8}));
+    for (int i = 1; i < static_cast<int>(count); ++i)
+        builder.add_instance(
+            fmt::format("marble {}", i), 1, at({0.8 * (i % 8) - 2.8, 0.15, 0.8 * (i / 8) - 2.8}));
+    builder.add_light(sun_at(60.0));
+    return served(builder, "sun");
+}
+
+/// Pixels of the stencil that a frame touches, for each of the picture's.
+Gate stencil_fragments_a_pixel(double at_most) {
+    return {
+        "stencil fragments a pixel",
+        [](const Observation& seen) {
+            return static_cast<double>(seen.counters.stencil_fragments)
+                   / (static_cast<double>(kPictureSize) * kPictureSize);
+        },
+        at_most};
 }
 
 Stage ball_over_floor(double elevation) {
@@ -198,6 +216,12 @@ std::vector<Case> volume_cases() {
          .sweep = {0.0, 10000.0, 10000.0},
          .remedy = Remedy::volume_mesh_space,
          .gates = exact},
+        {.id = "V17",
+         .sentence = "many small volumes fill the picture many times, rightly and slowly",
+         .build = marbles,
+         .sweep = {1.0, 64.0, 64.0},
+         .remedy = Remedy::volume_scissor,
+         .gates = {largest_error_inside(0.0), stencil_fragments_a_pixel(1.0)}},
         {.id = "Proxy",
          .sentence = "a simplified caster darkens its own surface in spots",
          .build = simplified_ring,

@@ -80,7 +80,9 @@ public:
         for (std::size_t i = 0; i < casters_.all().size(); ++i) {
             const VolumeCaster& caster = casters_.all()[i];
             const gpu::Rect area =
-                intersection(to_rect(swept_pixels(camera, caster.reaches)), target.area);
+                remedies_.on(Remedy::volume_scissor)
+                    ? intersection(to_rect(swept_pixels(camera, caster.reaches)), target.area)
+                    : target.area;
             if (area.empty()) continue;
             const Counting how = counting_of(camera, caster);
             const bool full =
