@@ -28,6 +28,7 @@ struct ShadowWish {
     std::optional<int> cascades;
     std::optional<int> proxy; ///< level of simplified casters of volumes; 0: the casters themselves
     std::optional<std::string> way; ///< of its ways of doing it, the one a technique has to take
+    std::optional<int> refresh; ///< frames that a map or texture may serve before it is drawn anew
 
     bool operator==(const ShadowWish&) const = default;
 };

@@ -39,6 +39,7 @@ scene::ShadowWish read_wish(TableReader& reader) {
     wish.cascades = reader.optional_integer("cascades");
     wish.proxy = reader.optional_integer("proxy");
     wish.way = reader.text("way");
+    wish.refresh = reader.optional_integer("refresh");
     if (wish.technique && wish.never)
         for (const std::string& never : *wish.never)
             if (never == *wish.technique)
@@ -247,7 +248,8 @@ scene::RuleDescription read_rule(TableReader& reader) {
           "samples",
           "cascades",
           "proxy",
-          "way"})
+          "way",
+          "refresh"})
         says_something = says_something || reader.has(field);
     if (!says_something)
         reader.complain(

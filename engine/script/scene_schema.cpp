@@ -71,7 +71,13 @@ std::vector<Field> wish_fields(const SceneVocabulary& vocabulary) {
          .text = "How planar shadows are made: from the casters themselves, from boxes in their "
                  "place, with a soft skirt, or kept in a texture. Without it the cheapest that is "
                  "right enough.",
-         .words = vocabulary.ways}};
+         .words = vocabulary.ways},
+        {.name = "refresh",
+         .type = FieldType::integer,
+         .text = "Frames that a shadow map or texture serves before it is drawn anew. 1 follows "
+                 "every motion; with more, shadows lag behind what moves.",
+         .unit = "frames",
+         .range = {.min = 1.0, .max = 1000.0}}};
 }
 
 Kind scene_kind() {

@@ -19,6 +19,7 @@ void overlay(scene::ShadowWish& below, const scene::ShadowWish& above) {
     overlay(below.cascades, above.cascades);
     overlay(below.proxy, above.proxy);
     overlay(below.way, above.way);
+    overlay(below.refresh, above.refresh);
 }
 
 /// "hero/arm#2" belongs to the model "hero", and to "hero/arm".

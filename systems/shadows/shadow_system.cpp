@@ -20,12 +20,10 @@ std::uint64_t versions_of(const scene::World& world) {
            + registry.version<scene::Name>();
 }
 
-/// Everything about a light, its plans and what was asked that a job draws from. Equal text, equal
-/// work. Numbers of plans as bytes: there are thousands.
-std::string fingerprint(
-    const LightView& light, const std::vector<const Plan*>& plans, const scene::ShadowWish& wish) {
+/// Everything about a light that a job draws from.
+std::string light_text(const LightView& light) {
     const scene::Light& l = light.light;
-    std::string text = fmt::format(
+    return fmt::format(
         "{} {} {} {} {} {} {} {} {} {} {} {}",
         static_cast<int>(l.kind),
         light.position.x,
@@ -39,8 +37,12 @@ std::string fingerprint(
         l.outer_angle,
         l.radius,
         l.angular_radius);
-    text += fmt::format(
-        " {} {} {} {} {}",
+}
+
+/// What was asked and planned. Numbers of plans as bytes: there are thousands.
+std::string plans_text(const std::vector<const Plan*>& plans, const scene::ShadowWish& wish) {
+    std::string text = fmt::format(
+        "{} {} {} {} {}",
         wish.map_size.value_or(0),
         wish.filter.value_or(""),
         wish.samples.value_or(0),
@@ -120,7 +122,7 @@ void ShadowSystem::assign_jobs() {
         running.light = scene_.index_of_light(key.first);
         const LightView& light = scene_.lights[running.light];
         running.wish = settings.resolve(light, "", 0.0);
-        running.wanted = fingerprint(light, running.plans, running.wish);
+        running.wanted = {light_text(light), plans_text(running.plans, running.wish)};
     }
 }
 
@@ -144,14 +146,24 @@ ShadowSystem::update_due_jobs(const render::FrameInput& input, bool world_change
             running.wish,
             remedies,
             ask_truth};
-        if (!always_refresh && !world_changed && running.wanted == running.drawn_for
-            && running.job->still_serves(request))
-            continue;
+        running.outdated = running.outdated || world_changed;
+        ++running.age;
+        if (!always_refresh && !is_due(running, request)) continue;
         if (auto updated = running.job->update(request); !updated) return updated;
         running.drawn_for = running.wanted;
+        running.age = 0;
+        running.outdated = false;
         due_.push_back(&running);
     }
     return {};
+}
+
+bool ShadowSystem::is_due(const RunningJob& running, const ShadowRequest& request) const {
+    const bool waits = running.job->may_wait() && running.age < running.wish.refresh.value_or(1)
+                       && running.wanted.plans == running.drawn_for.plans;
+    if (waits) return false;
+    return running.outdated || running.wanted != running.drawn_for
+           || !running.job->still_serves(request);
 }
 
 bool ShadowSystem::serves_all(const JobKey& key) const {

@@ -69,19 +69,30 @@ private:
         bool operator==(const PlannedFrom&) const = default;
     };
 
+    /// What a job draws, as text: equal text, equal work.
+    struct Work {
+        std::string light; ///< where it is and how it shines
+        std::string plans; ///< what is served how, with the numbers of plans as bytes
+
+        bool operator==(const Work&) const = default;
+    };
+
     /// A job with what it was last drawn for.
     struct RunningJob {
         std::unique_ptr<ShadowJob> job;
         std::uint32_t light = 0;             ///< index into scene_.lights
         std::vector<const Plan*> plans = {}; ///< into plan_
         scene::ShadowWish wish = {};         ///< for its light as a whole
-        std::string wanted = {};             ///< fingerprint of light and plans
-        std::string drawn_for = {};          ///< the same at the last refresh; empty: never
+        Work wanted = {};
+        Work drawn_for = {};   ///< at the last refresh; empty: never
+        int age = 0;           ///< frames since then
+        bool outdated = false; ///< something has moved since then
     };
 
     void make_plan(const render::FrameInput& input);
     void assign_jobs();
     engine::Result<void> update_due_jobs(const render::FrameInput& input, bool world_changed);
+    [[nodiscard]] bool is_due(const RunningJob& running, const ShadowRequest& request) const;
     [[nodiscard]] bool serves_all(const JobKey& key) const;
     const trace::TraceScene& truth(const scene::World& world);
 

@@ -67,6 +67,9 @@ public:
         static_cast<void>(request);
         return true;
     }
+    /// Whether what was drawn may serve for some frames after things have moved, as if they had
+    /// not: a refresh period is for these. Others follow every motion.
+    [[nodiscard]] virtual bool may_wait() const { return false; }
     /// GPU, per refresh: draws maps and textures, and fetches what apply() needs.
     /// Errors: a shader that does not compile.
     virtual engine::Result<void>

@@ -37,6 +37,7 @@ std::optional<int> whole_number(std::string_view text) {
 }
 
 constexpr int kMostLightSamples = 4096;
+constexpr int kLongestPeriod = 1000; // frames
 
 /// "@16:boxes" of "planar@16:boxes"; either part may be missing.
 engine::Result<ShadowOptions>
@@ -93,6 +94,7 @@ scene::ShadowWish ShadowOptions::wish(scene::LightKind kind) const {
     wish.filter = filter;
     wish.samples = samples;
     wish.way = way;
+    wish.refresh = period;
     wish.error_px = error_px;
     return wish;
 }
@@ -139,7 +141,18 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options) {
 }
 
 engine::Result<ShadowOptions> options_from_word(
-    const std::string& word, const shadows::Techniques& techniques, ShadowOptions others) {
+    const std::string& whole_word, const shadows::Techniques& techniques, ShadowOptions others) {
+    const std::size_t percent = std::min(whole_word.find('%'), whole_word.size());
+    const std::string word = whole_word.substr(0, percent);
+    if (percent < whole_word.size()) {
+        others.period = whole_number(std::string_view(whole_word).substr(percent + 1));
+        if (!others.period || *others.period < 1 || *others.period > kLongestPeriod)
+            return engine::Error{fmt::format(
+                "--technique {}: '{}' after '%' is no number of frames; write map@1024%4 (1 to {})",
+                whole_word,
+                whole_word.substr(percent + 1),
+                kLongestPeriod)};
+    }
     const std::string setting = word.substr(std::min(word.find_first_of("@:"), word.size()));
     ShadowOptions options = std::move(others);
     options.technique = word.substr(0, word.size() - setting.size());

@@ -35,6 +35,7 @@ struct ShadowOptions {
     std::optional<std::string> filter;
     std::optional<int> samples;
     std::optional<std::string> way;
+    std::optional<int> period; ///< frames from one refresh to the next
     std::optional<float> error_px;
     std::optional<float> shadow_ms;
     std::string refresh = "auto";
@@ -48,9 +49,10 @@ void add_shadow_options(CLI::App& command, ShadowOptions& options);
 
 /// A technique with its main settings in one word: "planar", "map@2048" (texels per side),
 /// "map@2048x2" (and cascades), "cascaded_map@1024:pcf" (and the filter), "planar@16" (light
-/// samples), "planar:boxes" (its way of doing it), "auto@0.5" (accepted error, pixels). What the
-/// word does not say is taken from `others`. Errors: a technique that does not exist, with the
-/// nearest one; a setting that is no number.
+/// samples), "planar:boxes" (its way of doing it), "auto@0.5" (accepted error, pixels); "%4" at the
+/// end of any of them: refreshed in every fourth frame. What the word does not say is taken from
+/// `others`. Errors: a technique that does not exist, with the nearest one; a setting that is no
+/// number.
 engine::Result<ShadowOptions> options_from_word(
     const std::string& word, const shadows::Techniques& techniques, ShadowOptions others = {});
 

@@ -26,6 +26,7 @@ public:
         gpu::Frame& frame,
         const scene::CameraView& camera,
         const render::VisibilityTarget& target) override;
+    [[nodiscard]] bool may_wait() const override { return true; }
     [[nodiscard]] std::size_t gpu_bytes() const override { return map_.size_bytes(); }
 
 protected:

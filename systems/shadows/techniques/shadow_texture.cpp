@@ -113,6 +113,8 @@ public:
         return {};
     }
 
+    [[nodiscard]] bool may_wait() const override { return true; }
+
     [[nodiscard]] bool still_serves(const ShadowRequest& request) const override {
         const scene::CameraView& camera = request.scene.camera;
         if (picture_ != glm::ivec2(camera.width, camera.height)) return false;

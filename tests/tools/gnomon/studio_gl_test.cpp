@@ -90,6 +90,57 @@ TEST_F(OneStudio, TakesNothingOfOneLevelForAnother) {
     }
 }
 
+/// Moves the box.
+void step(Level& level) {
+    scene::World& world = level.world;
+    world.registry.each<scene::Name>([&](ecs::Entity entity, const scene::Name& name) {
+        if (name.text == "box")
+            world.registry.patch<scene::Transform>(
+                entity, [](scene::Transform& place) { place.position.x += 0.05; });
+    });
+    scene::update(world, 0.0F);
+}
+
+TEST_F(OneStudio, RefreshesAMapInEveryFourthFrameWhereThatIsAsked) {
+    for (const std::string technique : {"cascaded_map", "shadow_texture"}) {
+        Level level = level_with_box({-1.0, 1.0, 0.0}, technique);
+        level.shadows.scene.refresh = 4;
+        std::vector<std::size_t> refreshes;
+        for (int frame = 0; frame < 9; ++frame) {
+            mask(level);
+            refreshes.push_back(studio_->shadows().refresh_count());
+            step(level);
+        }
+        EXPECT_EQ(refreshes, (std::vector<std::size_t>{1, 0, 0, 0, 1, 0, 0, 0, 1})) << technique;
+    }
+}
+
+TEST_F(OneStudio, NeverMakesAVolumeWait) {
+    Level level = level_with_box({-1.0, 1.0, 0.0}, "volume");
+    level.shadows.scene.refresh = 4;
+    for (int frame = 0; frame < 4; ++frame) {
+        mask(level);
+        EXPECT_EQ(studio_->shadows().refresh_count(), 1U);
+        step(level);
+    }
+}
+
+TEST_F(OneStudio, ShowsAMotionThatEndedWhileAMapWaited) {
+    Level level = level_with_box({-1.0, 1.0, 0.0}, "cascaded_map");
+    level.shadows.scene.refresh = 4;
+    mask(level);
+    step(level);
+    const engine::Image lagging = mask(level);
+    for (int frame = 0; frame < 4; ++frame)
+        mask(level);
+    const engine::Image at_rest = mask(level);
+    EXPECT_EQ(studio_->shadows().refresh_count(), 0U);
+
+    studio_->shadows().always_refresh = true;
+    EXPECT_EQ(mask(level).bytes, at_rest.bytes);
+    EXPECT_NE(lagging.bytes, at_rest.bytes);
+}
+
 TEST_F(OneStudio, DrawsAnewWhenARemedyIsSwitched) {
     const Level level = level_with_box({0.0, 1.0, 0.0}, "cascaded_map");
     mask(level);
