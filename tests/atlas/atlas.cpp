@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/row_pictures.hpp"
 #include "tools/gnomon/serving.hpp"
 #include "tools/gnomon/studio.hpp"
 #include "tools/gnomon/text_files.hpp"

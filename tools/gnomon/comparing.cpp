@@ -26,10 +26,6 @@ evidence_at(std::size_t pixel, const truth::TruthImage& truth, const DrawnSurfac
     return evidence;
 }
 
-std::uint8_t byte_of(float value) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
-}
-
 } // namespace
 
 DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera) {
@@ -90,26 +86,6 @@ measure::Comparison make_comparison(
             comparison.kind[pixel] = measure::classify(evidence);
         }
     return comparison;
-}
-
-engine::Image error_image(const measure::Comparison& comparison) {
-    engine::Image image(comparison.measured.width, comparison.measured.height, 3);
-    const std::vector<std::uint8_t> far = measure::far_errors(comparison);
-    for (std::size_t pixel = 0; pixel < comparison.kind.size(); ++pixel) {
-        const float measured = comparison.measured.visibility[pixel];
-        const float truth = comparison.truth.visibility[pixel];
-        glm::vec3 color = glm::vec3(0.25F + 0.5F * truth) * glm::vec3(0.85F, 1.0F, 0.85F);
-        const float error = std::abs(measured - truth);
-        const glm::vec3 wrong =
-            measured < truth ? glm::vec3(1.0F, 0.1F, 0.1F) : glm::vec3(0.1F, 0.2F, 1.0F);
-        color = glm::mix(color, wrong, error);
-        if (far[pixel] != 0)
-            color = measured < truth ? glm::vec3(1.0F, 0.9F, 0.0F) : glm::vec3(0.0F, 1.0F, 1.0F);
-        if (comparison.kind[pixel] != measure::PixelKind::valid) color = glm::vec3(0.35F);
-        for (int channel = 0; channel < 3; ++channel)
-            image.bytes[3 * pixel + static_cast<std::size_t>(channel)] = byte_of(color[channel]);
-    }
-    return image;
 }
 
 } // namespace gnomon

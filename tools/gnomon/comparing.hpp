@@ -37,9 +37,4 @@ measure::Comparison make_comparison(
     const scene::CameraView& camera,
     const scene::PlacedLight& light);
 
-/// Green where both agree, red where it is dark but should be lit, blue where it is lit but should
-/// be dark; yellow and cyan the same farther from every true edge than the technique's resolution;
-/// pixels that no figure uses are grey.
-engine::Image error_image(const measure::Comparison& comparison);
-
 } // namespace gnomon

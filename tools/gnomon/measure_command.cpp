@@ -1,5 +1,5 @@
 // gnomon measure: how wrong each technique's shadows are, held against ray-traced truth, standing
-// still and walking.
+// still and in motion.
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include "tools/gnomon/commands.hpp"
 #include "tools/gnomon/failure.hpp"
 #include "tools/gnomon/measuring.hpp"
+#include "tools/gnomon/motion_protocols.hpp"
 #include "tools/gnomon/text_files.hpp"
 
 namespace gnomon {
@@ -78,15 +79,15 @@ Run add_measure(CLI::App& app) {
         ->add_option(
             "--protocol",
             options->measure.protocols,
-            "what the camera does: still, walk, yaw, several with commas")
+            fmt::format("what moves: {}, several with commas", fmt::join(protocol_names(), ", ")))
         ->delimiter(',')
-        ->check(CLI::IsMember(kProtocols))
+        ->check(CLI::IsMember(protocol_names()))
         ->capture_default_str();
     command
         ->add_option(
             "--moving-frames",
             options->measure.moving_frames,
-            "frames of the walk or the turn, 1/60 s each")
+            "frames of a sequence in which something moves, 1/60 s each")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
     command

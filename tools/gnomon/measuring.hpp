@@ -12,22 +12,19 @@
 
 namespace gnomon {
 
-/// What the camera can do.
-inline const std::vector<std::string> kProtocols = {"still", "walk", "yaw"};
-
 struct MeasureOptions {
     std::vector<std::string> techniques = {"auto"};
-    std::vector<std::string> protocols = {"still"}; ///< of kProtocols
+    std::vector<std::string> protocols = {"still"}; ///< of protocol_names()
     int moving_frames = 64;
     int truth_samples = 256; ///< of area lights
     TimingOptions timing;
-    std::filesystem::path pictures; ///< folder for truth, masks and error pictures
+    std::filesystem::path pictures; ///< folder for each row's pictures, see write_row_pictures()
 };
 
 /// Adds one row for every light, protocol and technique. Progress goes to standard error.
-/// Still: the camera where it is, and 16 frames in which nothing may change.
-/// Walk: the camera moves along its view at 1.4 m/s, 60 frames a second, while everything else
-/// stands still; truth is traced for every frame. Yaw: it turns to the left by a degree a frame.
+/// Still: every figure of a picture, and 16 frames in which nothing may change. The other protocols
+/// move something, 60 frames a second (see motion_protocols.hpp), with the truth traced for every
+/// frame.
 /// Errors: a shader or a file that fails. A technique that cannot serve becomes a row with a note.
 engine::Result<void> measure_level(
     Studio& studio,

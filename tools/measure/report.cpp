@@ -44,6 +44,7 @@ void add_texts(const std::vector<Row>& rows, std::vector<Column>& columns) {
         {"renderer", "the device", kNotInTable, &Row::renderer},
         {"note", "why something was not measured", kNotInTable, &Row::note},
         {"picked", "what auto picked, shares of the valid pixels", 0, &Row::picked},
+        {"protocol", "what moved", 0, &Row::protocol},
     };
     for (const TextColumn& text : kTexts) {
         Column column = {text.name, "", text.text, text.decimals, {}};

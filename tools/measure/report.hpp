@@ -13,14 +13,18 @@
 
 namespace measure {
 
+/// The protocol in which nothing moves.
+inline const std::string kStill = "still";
+
 struct Row {
     std::string scene;
     std::string camera;
     std::string light;
     std::string technique;
-    std::string picked;   ///< what auto picked, by share of the valid pixels
-    std::string settings; ///< as one would type them: "--map-size 2048 --filter pcf"
-    std::string renderer; ///< the device's own name
+    std::string picked;            ///< what auto picked, by share of the valid pixels
+    std::string protocol = kStill; ///< what moved while it was measured
+    std::string settings;          ///< as one would type them: "--map-size 2048 --filter pcf"
+    std::string renderer;          ///< the device's own name
     std::optional<Figures> figures;
     std::optional<MotionFigures> motion;
     std::optional<Timing> timing;

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/row_pictures.hpp"
 #include "tools/gnomon/serving.hpp"
 #include "tools/gnomon/text_files.hpp"
 #include "tools/measure/figures.hpp"

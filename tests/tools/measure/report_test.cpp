@@ -74,7 +74,7 @@ TEST(Report, WritesTheSameNumberOfFieldsInEveryLineOfCsv) {
     EXPECT_THAT(
         lines[0],
         testing::StartsWith(
-            "scene,camera,light,technique,settings,renderer,note,picked,valid_px,"));
+            "scene,camera,light,technique,settings,renderer,note,picked,protocol,valid_px,"));
     const auto commas = [](const std::string& line) {
         return std::count(line.begin(), line.end(), ',');
     };
