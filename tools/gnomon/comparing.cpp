@@ -43,19 +43,6 @@ DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera) {
     return drawn;
 }
 
-std::vector<float> display_luminance(const engine::Image& color) {
-    std::vector<float> luminance(color.pixel_count());
-    for (std::size_t i = 0; i < luminance.size(); ++i) {
-        const std::uint8_t* pixel =
-            color.bytes.data() + i * static_cast<std::size_t>(color.channels);
-        luminance[i] =
-            (0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1])
-             + 0.0722F * static_cast<float>(pixel[2]))
-            / 255.0F;
-    }
-    return luminance;
-}
-
 bool is_soft(const scene::Light& light) {
     return light.radius > 0.0F || light.angular_radius > 0.0F;
 }

@@ -22,14 +22,11 @@ struct DrawnSurfaces {
 /// Of the studio's last frame.
 DrawnSurfaces drawn_surfaces(Studio& studio, const scene::CameraView& camera);
 
-/// Luminance in [0, 1] of what a display would show. Source: ITU-R BT.709 weights.
-std::vector<float> display_luminance(const engine::Image& color);
-
 /// A light whose edges have a width.
 bool is_soft(const scene::Light& light);
 
 /// Every pixel classified; where a light ends before the surface, by its range or its cone, it
-/// counts as turned away: nothing there depends on its mask. Luminances are left empty.
+/// counts as turned away: nothing there depends on its mask. Pictures are left empty.
 measure::Comparison make_comparison(
     const engine::Image& mask,
     const truth::TruthImage& truth,

@@ -86,11 +86,10 @@ engine::Result<void> measure_row(const Still& still, measure::Row& row) {
     auto comparison = measurement.compare(still.camera, still.light, still.truth);
     if (!comparison) return comparison.error();
     add_serving(still, *comparison, row);
-    const engine::Image color = measurement.studio().color();
-    const auto reference = reference_picture(still);
+    comparison->picture = measurement.studio().color();
+    auto reference = reference_picture(still);
     if (!reference) return reference.error();
-    comparison->luminance = display_luminance(color);
-    comparison->reference_luminance = display_luminance(*reference);
+    comparison->reference_picture = *std::move(reference);
     // The traced technique is truth by its construction: agreeing with it is no copied result.
     comparison->exact_by_construction = row.technique == "traced";
     row.figures = measure::compare(*comparison);
@@ -98,7 +97,8 @@ engine::Result<void> measure_row(const Still& still, measure::Row& row) {
     if (!unchanged) return unchanged.error();
     row.motion = measure::MotionFigures{};
     row.motion->changed_px = *unchanged;
-    return write_row_pictures(measurement.options().pictures, row, *comparison, color);
+    return write_row_pictures(
+        measurement.options().pictures, row, *comparison, comparison->picture);
 }
 
 } // namespace

@@ -72,6 +72,9 @@ constexpr auto kStill = std::to_array<FigureColumn<F>>({
      field<&F::over_half_pixel_floor>},
     {"copied_truth", "", "1: better than the precision floor, which no drawing can be", kHidden,
      field<&F::copied_truth>},
+    {"flip_mean", "", "FLIP between the lit pictures, mean: how different they look, 0 to 1", 4,
+     field<&F::flip_mean>},
+    {"flip_p99", "", "the same, 99th percentile of the pixels", kHidden, field<&F::flip_p99>},
 });
 
 using M = MotionFigures;
@@ -89,6 +92,15 @@ constexpr auto kMotion = std::to_array<FigureColumn<M>>({
      field<&M::truth_flicker_per_px>},
     {"flicker_ratio", "x", "flicker over the truth's", 2, field<&M::flicker_ratio>},
     {"pop", "", "largest sudden change of a 32 px tile beyond the truth's own", 3, field<&M::pop>},
+    {"crawl_px", "px", "how much pieces of edge move to and fro from frame to frame, rms", 3,
+     field<&M::crawl_px>},
+    {"stale_px", "px", "how far edges stand behind because they are not redrawn in every frame", 3,
+     field<&M::lag, &LagFigures::stale_px>},
+    {"stale_p95_px", "px", "the same, 95th percentile of the edge", 2,
+     field<&M::lag, &LagFigures::stale_p95_px>},
+    {"age_mean", "frames", "since a shadow was last redrawn, mean", kHidden,
+     field<&M::lag, &LagFigures::age_mean>},
+    {"age_max", "frames", "the same, the oldest", kHidden, field<&M::lag, &LagFigures::age_max>},
 });
 
 using T = Timing;

@@ -1,8 +1,9 @@
 #include "tools/measure/edge_distance.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <utility>
+
+#include "tools/measure/ranks.hpp"
 
 namespace measure {
 
@@ -31,9 +32,7 @@ OneWay one_way(const Edge& from, const Edge& onto) {
     const auto count = static_cast<double>(distances.size());
     result.mean_px /= count;
     result.share_within /= count;
-    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
-    std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
-    result.rank95_px = static_cast<double>(distances[static_cast<std::size_t>(rank)]);
+    result.rank95_px = percentile(std::move(distances), 0.95);
     return result;
 }
 

@@ -11,7 +11,9 @@
 #include "tools/measure/blobs.hpp"
 #include "tools/measure/edge_distance.hpp"
 #include "tools/measure/edges.hpp"
+#include "tools/measure/flip.hpp"
 #include "tools/measure/floors.hpp"
+#include "tools/measure/ranks.hpp"
 
 namespace measure {
 
@@ -139,9 +141,19 @@ void add_visibility(const Comparison& input, Figures& figures) {
     figures.bias_px = ratio(signed_error, edge_px, kFewEdges);
 }
 
-void add_double_dark(const Comparison& input, Figures& figures) {
-    if (input.luminance.empty()) {
-        figures.double_dark_px = Figure::missing("no shaded pictures were compared");
+/// Of what a display would show, in [0, 1]. Source: ITU-R BT.709 weights.
+float luminance(const engine::Image& picture, std::size_t i) {
+    const std::uint8_t* pixel =
+        picture.bytes.data() + i * static_cast<std::size_t>(picture.channels);
+    return (0.2126F * static_cast<float>(pixel[0]) + 0.7152F * static_cast<float>(pixel[1])
+            + 0.0722F * static_cast<float>(pixel[2]))
+           / 255.0F;
+}
+
+void add_pictures(const Comparison& input, Figures& figures) {
+    if (input.picture.bytes.empty()) {
+        const Figure missing = Figure::missing("no shaded pictures were compared");
+        figures.double_dark_px = figures.flip_mean = figures.flip_p99 = missing;
         return;
     }
     double count = 0.0;
@@ -149,10 +161,15 @@ void add_double_dark(const Comparison& input, Figures& figures) {
         const bool unlit =
             input.kind[i] == PixelKind::facing_away
             || (input.kind[i] == PixelKind::valid && input.truth.visibility[i] == 0.0F);
-        if (unlit && input.luminance[i] < input.reference_luminance[i] - kDarkerThanReference)
+        if (unlit
+            && luminance(input.picture, i)
+                   < luminance(input.reference_picture, i) - kDarkerThanReference)
             ++count;
     }
     figures.double_dark_px = count;
+    std::vector<float> differences = flip(input.picture, input.reference_picture);
+    figures.flip_mean = mean(differences);
+    figures.flip_p99 = percentile(differences, 0.99);
 }
 
 void add_floors(const Comparison& input, Figures& figures) {
@@ -193,7 +210,7 @@ Figures compare(const Comparison& input) {
     figures.hausdorff95_px = edges.hausdorff95_px;
     figures.boundary_f1 = edges.boundary_f1;
     add_visibility(input, figures);
-    add_double_dark(input, figures);
+    add_pictures(input, figures);
     add_floors(input, figures);
     return figures;
 }

@@ -57,6 +57,9 @@ struct Figures {
     Figure bias_px;        ///< signed: positive is too much light
     Figure mean_error;     ///< error_px / valid_px
 
+    // The lit pictures, shaded with the technique's mask and with the true one.
+    Figure flip_mean;      ///< how different they look, 0 to 1: see flip.hpp
+    Figure flip_p99;       ///< 99th percentile of the same over the pixels
     Figure double_dark_px; ///< darker than shading with the true mask, where no light falls anyway
 
     // How good it could be, in the unit of what is compared with it: wrong pixels of a hard light,
@@ -69,7 +72,8 @@ struct Figures {
 };
 
 /// Errors: none; figures that cannot be computed carry the reason.
-/// Cost: linear in pixels, two distance transforms at twice the resolution.
+/// Cost: linear in pixels, two distance transforms at twice the resolution,
+/// and flip() when there are pictures.
 Figures compare(const Comparison& input);
 
 /// 1 for each pixel that the figures called far count, judged or not.

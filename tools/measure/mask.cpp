@@ -46,8 +46,8 @@ void check_sizes(const Comparison& input) {
     CHECK_EQ(input.kind.size(), count);
     CHECK(input.resolution_band_px.size() <= 1 || input.resolution_band_px.size() == count);
     CHECK(input.hidden_edge.empty() || input.hidden_edge.size() == count);
-    CHECK_EQ(input.luminance.size(), input.reference_luminance.size());
-    CHECK(input.luminance.empty() || input.luminance.size() == count);
+    CHECK_EQ(input.picture.pixel_count(), input.reference_picture.pixel_count());
+    CHECK(input.picture.bytes.empty() || input.picture.pixel_count() == count);
 }
 
 Mask mask_from_image(const engine::Image& image) {

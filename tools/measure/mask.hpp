@@ -83,10 +83,10 @@ struct Comparison {
     /// Empty: none.
     std::vector<std::uint8_t> hidden_edge;
 
-    /// Luminance on screen in [0, 1], of the technique and of the same renderer given the true
-    /// mask; both empty when pictures were not made.
-    std::vector<float> luminance;
-    std::vector<float> reference_luminance;
+    /// The lit picture, and that of the same renderer given the true mask: 8 bits a channel, as a
+    /// display shows them, at least 3 channels. Both empty when pictures were not made.
+    engine::Image picture;
+    engine::Image reference_picture;
 
     /// Technique and truth may agree on every pixel by right, because no edge of this scene comes
     /// near a pixel's centre. Otherwise an error below the precision floor raises the question of a

@@ -76,6 +76,7 @@ void MotionRecorder::add(
     const std::optional<SecondGrid>& second) {
     check_sizes(frame);
     if (!tracks_.empty()) tracks_.add(frame, truth_depth, project, second);
+    if (camera_stands_) crawl_.add(frame);
     if (last_) pop_ = std::max(pop_, pop(*last_, frame));
     edge_px_sum_ += crofton_length(cracks(frame.truth, frame.kind).size());
     ++frames_;
@@ -86,6 +87,8 @@ MotionFigures MotionRecorder::figures(Figure changed) const {
     MotionFigures result;
     result.frames = frames_;
     result.changed_px = std::move(changed);
+    result.crawl_px = camera_stands_ ? crawl_.figure() : Figure::missing("the camera moves");
+    if (has_lag_) result.lag = lag_.figures();
     if (frames_ < 2) {
         const Figure missing = Figure::missing("fewer than two frames");
         result.mean_edge_px = result.tracked_points = result.flicker_per_px =

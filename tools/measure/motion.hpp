@@ -1,5 +1,4 @@
-// The figures of a sequence of frames: what flickers, crawls with the camera, or pops, that should
-// not.
+// The figures of a sequence of frames: what flickers, crawls, lags or pops that should not.
 //
 // Change itself is no error, since the true shadow changes too. Every figure is the change that the
 // technique adds to the change of the truth, both read at the same pixels, so that resampling
@@ -13,7 +12,9 @@
 #include <span>
 #include <utility>
 
+#include "tools/measure/crawl.hpp"
 #include "tools/measure/figure.hpp"
+#include "tools/measure/lag.hpp"
 #include "tools/measure/mask.hpp"
 #include "tools/measure/tracks.hpp"
 
@@ -27,8 +28,10 @@ struct MotionFigures {
     Figure flicker_per_px;       ///< flips per px of true edge and frame
     Figure truth_flicker_per_px; ///< the same of the truth, sampled on a second grid
     Figure flicker_ratio;        ///< of the two: 1 is as still as the truth
-    Figure
-        pop; ///< the largest sudden change of a tile beyond the truth's own, in units of contrast
+    /// The largest sudden change of a tile beyond the truth's own, in units of contrast.
+    Figure pop;
+    Figure crawl_px; ///< how much edges move to and fro along the true one, see CrawlRecorder
+    LagFigures lag;  ///< how far shadows that are not redrawn stand behind
 };
 
 /// Pixels whose value differs, bit for bit, from the first frame in any later one.
@@ -49,7 +52,10 @@ pop(const Comparison& before, const Comparison& after, std::span<const float> ti
 /// Takes the frames of one sequence in order and keeps no more than the last.
 class MotionRecorder {
 public:
-    explicit MotionRecorder(TrackPoints points = {}) : tracks_(std::move(points)) {}
+    /// @param camera_stands the same pixels show the same place in every frame: crawl is measured
+    explicit MotionRecorder(TrackPoints points = {}, bool camera_stands = false)
+        : tracks_(std::move(points)),
+          camera_stands_(camera_stands) {}
 
     /// @param truth_depth view depth of the true surface per pixel, metres; infinite where there is
     /// none
@@ -61,12 +67,22 @@ public:
         const Projection& project = {},
         const std::optional<SecondGrid>& second = {});
 
+    /// A frame that was given to add(), and the same with every job redrawn: see LagRecorder.
+    void add_lag(const Comparison& as_asked, const Comparison& redrawn, std::span<const int> ages) {
+        lag_.add(as_asked, redrawn, ages);
+        has_lag_ = true;
+    }
+
     /// @param changed what changed_px() found in a sequence where nothing moved
     [[nodiscard]] MotionFigures
     figures(Figure changed = Figure::missing("no still sequence was drawn")) const;
 
 private:
     TrackRecorder tracks_;
+    CrawlRecorder crawl_;
+    LagRecorder lag_;
+    bool camera_stands_ = false;
+    bool has_lag_ = false;
     std::optional<Comparison> last_;
     double pop_ = 0.0;
     double edge_px_sum_ = 0.0;

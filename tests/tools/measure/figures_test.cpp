@@ -276,13 +276,17 @@ TEST(Compare, FindsADarkPatchThatWasDarkenedTwice) {
     Comparison input = comparison(truth, truth);
     for (int y = 0; y < 20; ++y)
         input.kind[truth.index(10, y)] = PixelKind::facing_away;
-    input.reference_luminance.assign(400, 0.2F);
-    input.luminance.assign(400, 0.2F);
-    const auto darken = [&](int x, int y, float by) { input.luminance[truth.index(x, y)] -= by; };
-    darken(3, 0, 0.1F);          // in the shadow: counts
-    darken(10, 5, 0.1F);         // turned away: counts
-    darken(3, 1, 1.5F / 255.0F); // within the tolerance
-    darken(15, 5, 0.1F);         // lit by right: another figure's business
+    input.picture = engine::Image(20, 20, 3);
+    std::fill(input.picture.bytes.begin(), input.picture.bytes.end(), 51);
+    input.reference_picture = input.picture;
+    const auto darken = [&](int x, int y, int by) {
+        for (int channel = 0; channel < 3; ++channel)
+            input.picture.at(x, y)[channel] = static_cast<std::uint8_t>(51 - by);
+    };
+    darken(3, 0, 25);  // in the shadow: counts
+    darken(10, 5, 25); // turned away: counts
+    darken(3, 1, 1);   // within the tolerance
+    darken(15, 5, 25); // lit by right: another figure's business
 
     EXPECT_EQ(compare(input).double_dark_px.value(), 2.0);
     EXPECT_FALSE(compare(comparison(truth, truth)).double_dark_px.known());
