@@ -52,6 +52,7 @@ engine::Result<Level> load_level(const std::filesystem::path& file) {
     if (kind != ".lua" && kind != ".glb" && kind != ".gltf")
         return engine::Error{"expected a scene that ends in .lua, .glb or .gltf", {file.string()}};
     Level level;
+    level.file = file;
     level.name = file.stem().string();
     const auto built = kind == ".lua" ? build_from_lua(file, level) : build_from_gltf(file, level);
     if (!built) return built.error();

@@ -19,7 +19,8 @@
 namespace gnomon {
 
 struct Level {
-    std::string name; ///< file name without its extension
+    std::filesystem::path file; ///< that it was loaded from
+    std::string name;           ///< file name without its extension
     scene::World world;
     shadows::ShadowSettings shadows;
     std::optional<float> exposure;

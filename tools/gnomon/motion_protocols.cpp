@@ -20,12 +20,16 @@ constexpr double kTurnPerFrame = std::numbers::pi / 180.0;
 /// From 60 to 50 degrees, whatever it starts from.
 constexpr double kZoom = 50.0 / 60.0;
 
-const std::array<Protocol, 4>& all_protocols() {
-    static const std::array<Protocol, 4> kAll = {{
+const std::array<Protocol, 8>& all_protocols() {
+    static const std::array<Protocol, 8> kAll = {{
         {measure::kStill, "nothing moves", false},
         {"walk", "the camera walks along its view at 1.4 m/s", true},
         {"yaw", "the camera turns to the left by a degree a frame", true},
         {"zoom", "the camera's angle closes to 5/6 of itself, as from 60 to 50 degrees", true},
+        {"sun", "directional lights turn by 0.02 degrees a frame", false},
+        {"light", "spot and point lights go to the camera's right at 1.4 m/s", false},
+        {"casters", "moving casters (or the largest one) run to and fro at 2 m/s", false},
+        {"play", "the level as it is played: its own paths, animations and script", false},
     }};
     return kAll;
 }

@@ -17,7 +17,7 @@ inline constexpr double kFrameSeconds = 1.0 / 60.0;
 struct Protocol {
     std::string_view name;
     std::string_view text;     ///< what moves
-    bool moves_camera = false; ///< and nothing else
+    bool moves_camera = false; ///< and nothing else; else the camera stands
 };
 
 /// All protocols, "still" first.

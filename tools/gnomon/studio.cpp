@@ -30,8 +30,17 @@ glm::vec3 normal_of(const glm::uvec2& texel) {
 
 Studio::Studio(std::unique_ptr<gpu::Context> context)
     : context_(std::move(context)),
-      renderer_(shadows::shader_folders()) {
-    shadows_.wraps_stencil = gpu::probe_driver().wraps_stencil;
+      renderer_(shadows::shader_folders()),
+      own_shadows_(std::make_unique<shadows::ShadowSystem>()),
+      shadows_(own_shadows_.get()) {
+    own_shadows_->wraps_stencil = gpu::probe_driver().wraps_stencil;
+}
+
+std::unique_ptr<shadows::ShadowSystem> Studio::new_shadows() const {
+    auto shadows = std::make_unique<shadows::ShadowSystem>();
+    // Not probed again: that would leave state behind that frames do not expect.
+    shadows->wraps_stencil = own_shadows_->wraps_stencil;
+    return shadows;
 }
 
 engine::Result<std::unique_ptr<Studio>> Studio::open(int width, int height) {
@@ -49,12 +58,12 @@ engine::Result<std::unique_ptr<Studio>> Studio::open(int width, int height) {
 engine::Result<void>
 Studio::draw(const Level& level, const scene::CameraView& camera, bool with_shadows) {
     lights_ = scene::placed_lights(level.world);
-    shadows_.settings = level.shadows;
+    shadows_->settings = level.shadows;
     const auto drawn = renderer_.draw(
         level.world,
         camera,
         lights_,
-        with_shadows ? &shadows_ : nullptr,
+        with_shadows ? shadows_ : nullptr,
         target_,
         {.exposure = level.exposure});
     context_->finish();

@@ -36,13 +36,21 @@ public:
     [[nodiscard]] std::vector<float> view_depth(const scene::CameraView& camera) const;
     /// Visibility of a light, 8-bit grey. @param light index into lights()
     engine::Result<engine::Image> mask(std::size_t light) {
-        return renderer_.draw_mask(light, shadows_);
+        return renderer_.draw_mask(light, *shadows_);
+    }
+
+    /// A shadow system for this device, which has drawn nothing yet.
+    [[nodiscard]] std::unique_ptr<shadows::ShadowSystem> new_shadows() const;
+    /// Frames from now on are drawn with another shadow system; null: with the studio's own.
+    /// @param shadows outlives its use
+    void use_shadows(shadows::ShadowSystem* shadows) {
+        shadows_ = shadows == nullptr ? own_shadows_.get() : shadows;
     }
 
     /// Lights of the last frame, sorted by name.
     [[nodiscard]] const std::vector<scene::PlacedLight>& lights() const { return lights_; }
     [[nodiscard]] render::Renderer& renderer() { return renderer_; }
-    [[nodiscard]] shadows::ShadowSystem& shadows() { return shadows_; }
+    [[nodiscard]] shadows::ShadowSystem& shadows() { return *shadows_; }
     [[nodiscard]] const gpu::DeviceInfo& device() const { return context_->device(); }
 
 private:
@@ -50,7 +58,8 @@ private:
 
     std::unique_ptr<gpu::Context> context_;
     render::Renderer renderer_;
-    shadows::ShadowSystem shadows_;
+    std::unique_ptr<shadows::ShadowSystem> own_shadows_;
+    shadows::ShadowSystem* shadows_; ///< that draws
     gpu::Texture color_;
     gpu::Framebuffer target_;
     std::vector<scene::PlacedLight> lights_;
