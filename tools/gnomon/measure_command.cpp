@@ -11,6 +11,8 @@
 #include "tools/gnomon/failure.hpp"
 #include "tools/gnomon/measuring.hpp"
 #include "tools/gnomon/motion_protocols.hpp"
+#include "tools/gnomon/progress.hpp"
+#include "tools/gnomon/row_journal.hpp"
 #include "tools/gnomon/text_files.hpp"
 
 namespace gnomon {
@@ -20,6 +22,7 @@ namespace {
 struct Command {
     std::vector<std::string> scenes;
     std::filesystem::path out = "out/measure";
+    bool fresh = false;
     MeasureOptions measure;
     ViewOptions view;
 };
@@ -39,7 +42,12 @@ int measure_scenes(const Command& command) {
     for (const std::string& technique : command.measure.techniques)
         if (auto known = options_from_word(technique, (*studio)->shadows().techniques()); !known)
             return fail(known.error(), kWrongUsage);
+    auto journal = RowJournal::open(command.out / "measure.rows.jsonl", command.fresh);
+    if (!journal) return fail(journal.error(), kCannotDo);
+    for (const std::string& warning : journal->warnings())
+        fmt::print(stderr, "warning: {}\n", warning);
     measure::Report report;
+    Progress progress(static_cast<int>(command.scenes.size()));
     for (const std::string& file : command.scenes) {
         auto level = load_level(file);
         if (!level) return fail(level.error(), kBadFile);
@@ -48,9 +56,18 @@ int measure_scenes(const Command& command) {
         if (!camera) return fail(camera.error(), kWrongUsage);
         MeasureOptions options = command.measure;
         options.pictures = command.out;
+        options.journal = &*journal;
+        options.progress = &progress;
         if (auto measured = measure_level(**studio, *level, *camera, options, report); !measured)
             return fail(measured.error(), kCannotDo);
     }
+    if (const std::size_t known = report.rows().size() - journal->appended(); known > 0)
+        fmt::print(
+            stderr,
+            "{} of {} rows were measured before and are in {}; --fresh measures them again\n",
+            known,
+            report.rows().size(),
+            journal->file().string());
     fmt::print("{}", report.table());
     if (auto written = write_reports(command.out, report); !written)
         return fail(written.error(), kCannotDo);
@@ -67,6 +84,10 @@ Run add_measure(CLI::App& app) {
     command->add_option("scene", options->scenes, "SCENE.lua, .glb or .gltf")->required();
     command->add_option("--out", options->out, "folder for tables and pictures")
         ->capture_default_str();
+    command->add_flag(
+        "--fresh",
+        options->fresh,
+        "measure every row again; else those that an earlier run left in the folder are taken");
     add_view_options(*command, options->view);
     command
         ->add_option(

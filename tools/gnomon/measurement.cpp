@@ -2,17 +2,18 @@
 
 #include "engine/scene/views.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstdio>
+
+#include "tools/gnomon/progress.hpp"
 
 namespace gnomon {
 
-Measurement::Measurement(Studio& studio, Level& level, const MeasureOptions& options)
+Measurement::Measurement(
+    Studio& studio, Level& level, const MeasureOptions& options, Progress& progress)
     : studio_(studio),
       level_(level),
       options_(options),
+      progress_(progress),
       tracer_(level.world) {}
 
 measure::Row Measurement::row(
@@ -94,8 +95,7 @@ void Measurement::find_hidden_edges(
 }
 
 void Measurement::tell(const std::string& text) const {
-    fmt::print(stderr, "\r\x1b[K{}{}", text.empty() ? "" : level_.name + ": ", text);
-    std::fflush(stderr);
+    progress_.tell(level_.name + ": " + text);
 }
 
 } // namespace gnomon

@@ -12,8 +12,8 @@ namespace gnomon {
 
 class Measurement {
 public:
-    /// @param studio, level, options outlive it
-    Measurement(Studio& studio, Level& level, const MeasureOptions& options);
+    /// @param studio, level, options, progress outlive it
+    Measurement(Studio& studio, Level& level, const MeasureOptions& options, Progress& progress);
 
     /// A row for a light and a technique, with everything but figures.
     [[nodiscard]] measure::Row
@@ -43,6 +43,7 @@ public:
     /// What is being done, for someone who waits.
     void tell(const std::string& text) const;
 
+    [[nodiscard]] Progress& progress() { return progress_; }
     [[nodiscard]] Studio& studio() { return studio_; }
     [[nodiscard]] Level& level() { return level_; }
     [[nodiscard]] const MeasureOptions& options() const { return options_; }
@@ -53,6 +54,7 @@ private:
     Studio& studio_;
     Level& level_;
     const MeasureOptions& options_;
+    Progress& progress_;
     trace::TraceScene tracer_;
 };
 

@@ -12,6 +12,9 @@
 
 namespace gnomon {
 
+class Progress;
+class RowJournal;
+
 struct MeasureOptions {
     std::vector<std::string> techniques = {"auto"};
     std::vector<std::string> protocols = {"still"}; ///< of protocol_names()
@@ -19,9 +22,12 @@ struct MeasureOptions {
     int truth_samples = 256; ///< of area lights
     TimingOptions timing;
     std::filesystem::path pictures; ///< folder for each row's pictures, see write_row_pictures()
+    RowJournal* journal = nullptr;  ///< rows that are in it are not measured again; may be null
+    Progress* progress = nullptr;   ///< null: of this level alone
 };
 
-/// Adds one row for every light, protocol and technique. Progress goes to standard error.
+/// Adds one row for every light, protocol and technique, those of the
+/// journal included. Progress goes to standard error.
 /// Still: every figure of a picture, and 16 frames in which nothing may change. The other protocols
 /// move something, 60 frames a second (see motion_protocols.hpp), with the truth traced for every
 /// frame.

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "tools/gnomon/motion_protocols.hpp"
+#include "tools/gnomon/progress.hpp"
 #include "tools/gnomon/row_pictures.hpp"
 #include "tools/gnomon/scene_motion.hpp"
 
@@ -174,6 +175,7 @@ engine::Result<void> run_through(
             if (run.row.note.empty())
                 if (auto recorded = record(measurement, moment, light, run); !recorded)
                     return recorded;
+        measurement.progress().add(static_cast<double>(runs.size()));
     }
     return {};
 }
@@ -188,7 +190,8 @@ engine::Result<void> play_through(
     if (!level) return level.error();
     level->shadows = measurement.level().shadows;
     level->exposure = measurement.level().exposure;
-    Measurement playing(measurement.studio(), *level, measurement.options());
+    Measurement playing(
+        measurement.studio(), *level, measurement.options(), measurement.progress());
     return run_through(playing, start, light_id, "play", runs);
 }
 

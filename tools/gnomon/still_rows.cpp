@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/gnomon/progress.hpp"
 #include "tools/gnomon/row_pictures.hpp"
 #include "tools/gnomon/serving.hpp"
 
@@ -17,6 +18,7 @@ struct Still {
     const scene::CameraView& camera;
     std::size_t light;
     const truth::TruthImage& truth;
+    const engine::Image& reference; ///< the lit picture with the true masks
 };
 
 /// What only a still picture is asked: how coarse it may be where, and who drew it.
@@ -43,16 +45,11 @@ engine::Result<measure::Figure> changed(const Still& still) {
     return measure::changed_px(frames);
 }
 
-/// The same renderer's picture with the true masks; the frame after it is the technique's again.
-engine::Result<engine::Image> reference_picture(const Still& still) {
-    Level& level = still.measurement.level();
-    Studio& studio = still.measurement.studio();
-    const auto overriding = level.shadows.overriding;
-    if (auto drawn = still.measurement.draw(still.camera, "traced"); !drawn) return drawn.error();
-    engine::Image picture = studio.color();
-    level.shadows.overriding = overriding;
-    if (auto drawn = studio.draw(level, still.camera); !drawn) return drawn.error();
-    return picture;
+/// The same renderer's picture with the true masks.
+engine::Result<engine::Image>
+reference_picture(Measurement& measurement, const scene::CameraView& camera) {
+    if (auto drawn = measurement.draw(camera, "traced"); !drawn) return drawn.error();
+    return measurement.studio().color();
 }
 
 engine::Result<void> add_times(const Still& still, measure::Row& row) {
@@ -65,7 +62,7 @@ engine::Result<void> add_times(const Still& still, measure::Row& row) {
         .mask_fragments = static_cast<double>(counters.mask_fragments),
         .stencil_fragments = static_cast<double>(counters.stencil_fragments),
         .taps = static_cast<double>(counters.taps),
-        .gpu_bytes = static_cast<double>(gpu::device_bytes())};
+        .gpu_bytes = static_cast<double>(studio.shadows().gpu_bytes())};
     const TimingOptions& timing = still.measurement.options().timing;
     if (timing.frames == 0) return {};
     const auto times = time_frames(studio, timing, [&](bool with) {
@@ -87,9 +84,7 @@ engine::Result<void> measure_row(const Still& still, measure::Row& row) {
     if (!comparison) return comparison.error();
     add_serving(still, *comparison, row);
     comparison->picture = measurement.studio().color();
-    auto reference = reference_picture(still);
-    if (!reference) return reference.error();
-    comparison->reference_picture = *std::move(reference);
+    comparison->reference_picture = still.reference;
     // The traced technique is truth by its construction: agreeing with it is no copied result.
     comparison->exact_by_construction = row.technique == "traced";
     row.figures = measure::compare(*comparison);
@@ -112,11 +107,19 @@ engine::Result<void> measure_stills(
     const scene::PlacedLight placed = measurement.studio().lights()[light];
     measurement.tell(fmt::format("light '{}': truth", placed.name));
     const truth::TruthImage truth = measurement.truth(camera, placed);
-    const Still still{measurement, camera, light, truth};
+    const auto reference = reference_picture(measurement, camera);
+    if (!reference) return reference.error();
+    const Still still{measurement, camera, light, truth, *reference};
     for (const std::string& technique : techniques) {
         measurement.tell(fmt::format("light '{}': {}", placed.name, technique));
         measure::Row row = measurement.row(camera, placed, technique, measure::kStill);
-        if (auto measured = measure_row(still, row); !measured) return measured;
+        // A shadow system of its own: what a row says does not depend on those before it.
+        const auto shadows = measurement.studio().new_shadows();
+        measurement.studio().use_shadows(shadows.get());
+        const auto measured = measure_row(still, row);
+        measurement.studio().use_shadows(nullptr);
+        if (!measured) return measured;
+        measurement.progress().add(1.0);
         if (auto taken = done(std::move(row)); !taken) return taken;
     }
     return {};

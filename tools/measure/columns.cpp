@@ -6,14 +6,38 @@ namespace measure {
 
 namespace {
 
+template <class Group, class Member>
+Group group_of(Member Group::*member);
+
 /// A member of a group, or a member of its member.
 template <auto member, auto... rest, class Group>
-Figure field(const Group& group) {
+auto& member_of(Group& group) {
     if constexpr (sizeof...(rest) == 0)
         return group.*member;
     else
-        return field<rest...>(group.*member);
+        return member_of<rest...>(group.*member);
 }
+
+void assign(double& member, const Figure& figure) {
+    member = figure.value();
+}
+
+void assign(bool& member, const Figure& figure) {
+    member = figure.value() != 0.0;
+}
+
+void assign(Figure& member, const Figure& figure) {
+    member = figure;
+}
+
+template <auto member, auto... rest>
+constexpr Access<decltype(group_of(member))> field = {
+    [](const decltype(group_of(member))& group) {
+        return Figure(member_of<member, rest...>(group));
+    },
+    [](decltype(group_of(member))& group, const Figure& figure) {
+        assign(member_of<member, rest...>(group), figure);
+    }};
 
 using F = Figures;
 constexpr int kHidden = kNotInTable;
@@ -38,9 +62,9 @@ constexpr auto kStill = std::to_array<FigureColumn<F>>({
     {"light_leak_in_px", "px", "the same, farther than 1 px from true edges", kHidden,
      field<&F::interior, &InteriorErrors::light_leak_px>},
     {"false_shadow_edge_px", "px", "the same, within 1 px of true edges", kHidden,
-     [](const F& f) { return Figure(f.false_shadow_px - f.interior.false_shadow_px); }},
+     {[](const F& f) { return Figure(f.false_shadow_px - f.interior.false_shadow_px); }}},
     {"light_leak_edge_px", "px", "the same, within 1 px of true edges", kHidden,
-     [](const F& f) { return Figure(f.light_leak_px - f.interior.light_leak_px); }},
+     {[](const F& f) { return Figure(f.light_leak_px - f.interior.light_leak_px); }}},
     {"largest_in_px", "px", "largest connected wrong region in the interior", kHidden,
      field<&F::interior, &InteriorErrors::largest_px>},
     {"components_in", "/1000px", "wrong regions in the interior per 1000 valid pixels: acne", kHidden,
@@ -110,7 +134,7 @@ constexpr auto kTiming = std::to_array<FigureColumn<T>>({
     {"p99_ms", "ms", "one frame with shadows, 99th percentile", 2, field<&T::p99_ms>},
     {"without_median_ms", "ms", "the same frame without shadows, median", kHidden, field<&T::without_median_ms>},
     {"shadow_ms", "ms", "what shadows add to the median frame", 2,
-     [](const T& t) { return Figure(t.median_ms - t.without_median_ms); }},
+     {[](const T& t) { return Figure(t.median_ms - t.without_median_ms); }}},
 });
 
 using C = Counters;

@@ -11,6 +11,13 @@
 
 namespace measure {
 
+/// How a figure of a group T is read and written.
+template <class T>
+struct Access {
+    Figure (*get)(const T&);
+    void (*set)(T&, const Figure&) = nullptr; ///< null for what follows from other figures
+};
+
 /// One figure of a group T. Names and order are stable: files written today can be read next year.
 template <class T>
 struct FigureColumn {
@@ -18,7 +25,7 @@ struct FigureColumn {
     std::string_view unit; ///< empty for a count of nothing or a ratio
     std::string_view text; ///< what it is
     int decimals;          ///< in the terminal table; kNotInTable to leave it out there
-    Figure (*get)(const T&);
+    Access<T> access;
 };
 
 inline constexpr int kNotInTable = -1;

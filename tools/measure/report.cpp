@@ -24,7 +24,7 @@ template <class T>
 nlohmann::json figures_to_json(const T& group) {
     nlohmann::json object = nlohmann::json::object();
     for (const FigureColumn<T>& column : columns_of<T>())
-        put(object, column.name, column.get(group));
+        put(object, column.name, column.access.get(group));
     return object;
 }
 
@@ -62,7 +62,7 @@ void add_figures(
         for (const Row& row : rows) {
             const std::optional<T>& values = row.*group;
             const Figure missing = row.note.empty() ? Figure() : Figure::missing(row.note);
-            column.cells.emplace_back(values ? figure.get(*values) : missing);
+            column.cells.emplace_back(values ? figure.access.get(*values) : missing);
         }
         columns.push_back(std::move(column));
     }

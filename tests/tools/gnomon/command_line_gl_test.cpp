@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <sstream>
 
 namespace {
 
@@ -292,6 +293,43 @@ TEST_F(CommandLine, PlayWithoutADisplayLeavesPicturesAndAPage) {
     ASSERT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_TRUE(fs::exists(folder_ / "out" / "index.html"));
     EXPECT_THAT(outcome.text, HasSubstr("pictures"));
+}
+
+TEST_F(CommandLine, AnInterruptedMeasurementGoesOnWhereItStopped) {
+    const std::string command = fmt::format(
+        "measure {} --size 64x48 --technique none,map@64,volume --protocol still,casters "
+        "--moving-frames 3 --samples 4 --out {}",
+        path("level.lua"),
+        path("out"));
+    const auto text_of = [&](const char* name) {
+        std::stringstream buffer;
+        buffer << std::ifstream(folder_ / "out" / name, std::ios::binary).rdbuf();
+        return buffer.str();
+    };
+    const Outcome whole = run_gl(command);
+    SKIP_WITHOUT_GL();
+    ASSERT_EQ(whole.code, 0) << whole.text;
+    EXPECT_THAT(whole.text, testing::Not(HasSubstr("measured before")));
+    const std::string rows = text_of("measure.rows.jsonl");
+    const std::string csv = text_of("measure.csv");
+    const std::string report = text_of("measure.json");
+    ASSERT_EQ(std::count(rows.begin(), rows.end(), '\n'), 12) << "2 lights, 2 protocols";
+
+    // Ended in the middle of the eighth row.
+    std::size_t seven = 0;
+    for (int line = 0; line < 7; ++line)
+        seven = rows.find('\n', seven) + 1;
+    write("out/measure.rows.jsonl", rows.substr(0, seven + 100));
+    const Outcome rest = run_gl(command);
+
+    ASSERT_EQ(rest.code, 0) << rest.text;
+    EXPECT_THAT(rest.text, HasSubstr("measure.rows.jsonl:8: the last line is not whole"));
+    EXPECT_THAT(rest.text, HasSubstr("7 of 12 rows were measured before"));
+    EXPECT_EQ(text_of("measure.csv"), csv);
+    EXPECT_EQ(text_of("measure.json"), report);
+    EXPECT_EQ(text_of("measure.rows.jsonl"), rows);
+    EXPECT_THAT(run_gl(command).text, HasSubstr("12 of 12 rows were measured before"));
+    EXPECT_THAT(run_gl(command + " --fresh").text, testing::Not(HasSubstr("measured before")));
 }
 
 } // namespace
