@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -316,6 +317,37 @@ TEST(MotionRecorder, MeasuresPopWithoutPoints) {
 
     EXPECT_NEAR(recorder.figures().pop.value(), 0.5, 1e-6);
     EXPECT_THAT(recorder.figures().flicker_per_px.reason(), testing::HasSubstr("points"));
+}
+
+TEST(MotionRecorder, MeasuresCrawlOnlyWhereTheCameraStands) {
+    const auto crawl = [](bool camera_stands) {
+        MotionRecorder recorder({}, camera_stands);
+        for (const double offset : {0.0, 2.0, 0.0})
+            recorder.add(comparison(
+                pictures::draw(48, 48, pictures::upright_edge(20.0 + offset)),
+                pictures::draw(48, 48, pictures::upright_edge(20.0))));
+        return recorder.figures().crawl_px;
+    };
+
+    EXPECT_NEAR(crawl(true).value(), 2.0 * 4.0 / std::numbers::pi, 1e-9);
+    EXPECT_EQ(crawl(false).reason(), "the camera moves");
+}
+
+TEST(MotionRecorder, MeasuresLagWhereThereIsATwin) {
+    const Comparison now = comparison(
+        pictures::draw(48, 48, pictures::upright_edge(17.0)),
+        pictures::draw(48, 48, pictures::upright_edge(20.0)));
+    const Comparison redrawn = comparison(now.truth, now.truth);
+    MotionRecorder recorder;
+    EXPECT_FALSE(recorder.figures().lag.stale_p95_px.known());
+    for (int frame = 0; frame < 3; ++frame) {
+        recorder.add(now);
+        recorder.add_lag(now, redrawn, std::array<int, 1>{frame});
+    }
+
+    const LagFigures lag = recorder.figures().lag;
+    EXPECT_EQ(lag.stale_p95_px.value(), 3.0);
+    EXPECT_EQ(lag.age_max.value(), 2.0);
 }
 
 TEST(ChoosePoints, StandForAllPixels) {
