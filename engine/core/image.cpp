@@ -10,6 +10,17 @@
 
 namespace engine {
 
+namespace {
+
+/// For stb's writers: adds bytes to the vector that `context` is.
+void append_bytes(void* context, void* data, int size) {
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    auto& whole = *static_cast<std::vector<std::uint8_t>*>(context);
+    whole.insert(whole.end(), bytes, bytes + size);
+}
+
+} // namespace
+
 Result<void> write_png(const std::filesystem::path& file, const Image& image) {
     CHECK_EQ(image.bytes.size(), image.pixel_count() * static_cast<std::size_t>(image.channels));
     const int stride = image.width * image.channels;
@@ -24,20 +35,32 @@ Result<void> write_png(const std::filesystem::path& file, const Image& image) {
 std::vector<std::uint8_t> encode_png(const Image& image) {
     CHECK_EQ(image.bytes.size(), image.pixel_count() * static_cast<std::size_t>(image.channels));
     std::vector<std::uint8_t> file;
-    const auto append = [](void* context, void* data, int size) {
-        const auto* bytes = static_cast<const std::uint8_t*>(data);
-        auto& whole = *static_cast<std::vector<std::uint8_t>*>(context);
-        whole.insert(whole.end(), bytes, bytes + size);
-    };
     CHECK(
         stbi_write_png_to_func(
-            append,
+            append_bytes,
             &file,
             image.width,
             image.height,
             image.channels,
             image.bytes.data(),
             image.width * image.channels)
+        != 0);
+    return file;
+}
+
+std::vector<std::uint8_t> encode_jpeg(const Image& image, int quality) {
+    CHECK_EQ(image.bytes.size(), image.pixel_count() * static_cast<std::size_t>(image.channels));
+    CHECK(image.channels == 1 || image.channels == 3);
+    std::vector<std::uint8_t> file;
+    CHECK(
+        stbi_write_jpg_to_func(
+            append_bytes,
+            &file,
+            image.width,
+            image.height,
+            image.channels,
+            image.bytes.data(),
+            quality)
         != 0);
     return file;
 }

@@ -48,6 +48,9 @@ Result<void> write_png(const std::filesystem::path& file, const Image& image);
 /// The bytes of a PNG file.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
+/// The bytes of a JPEG file. @param quality 1 to 100. @pre 1 or 3 channels
+std::vector<std::uint8_t> encode_jpeg(const Image& image, int quality);
+
 /// @param channels 1, 3 or 4 to convert, 0 to keep what the file has
 /// Errors: no such file, or not a picture.
 Result<Image> read_png(const std::filesystem::path& file, int channels = 0);

@@ -7,50 +7,22 @@
 
 #include <algorithm>
 
+#include "tools/page/html.hpp"
+#include "tools/page/picture.hpp"
+
 namespace atlas {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '>')
-            safe += "&gt;";
-        else if (letter == '&')
-            safe += "&amp;";
-        else if (letter == '"')
-            safe += "&quot;";
-        else
-            safe += letter;
-    }
-    return safe;
-}
-
-/// Source: RFC 4648, section 4.
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-    constexpr std::string_view kLetters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = (group << 8U) | (k < count ? bytes[i + k] : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= count ? kLetters[(group >> (18U - 6U * k)) & 63U] : '=';
-    }
-    return text;
-}
+using page::escaped;
 
 std::string picture(const engine::Image& image, const std::string& caption) {
     if (image.bytes.empty()) return {};
     return fmt::format(
-        "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\">"
+        "<figure><img alt=\"{0}\" src=\"{1}\">"
         "<figcaption>{0}</figcaption></figure>\n",
         escaped(caption),
-        base64(engine::encode_png(image)));
+        page::png_url(image));
 }
 
 /// Where values lie in a chart of 330 x 170.
@@ -193,7 +165,7 @@ std::string refusals(const Findings& found) {
 } // namespace
 
 std::string html_page(const Findings& found) {
-    std::string html(kPageStart);
+    std::string html(kPageTop);
     html += kFilterBox;
     html += "<table><tr><th>case</th><th>without the remedy</th><th>remedy</th><th>gate</th>"
             "<th class=\"number\">worst off</th><th class=\"number\">worst on</th><th>verdict</th>"
@@ -204,8 +176,7 @@ std::string html_page(const Findings& found) {
     html += refusals(found);
     for (const Outcome& one : found.outcomes)
         html += section(one);
-    html += kPageEnd;
-    return html;
+    return page::html_page("The atlas of failures", kPageStyle, html);
 }
 
 } // namespace atlas

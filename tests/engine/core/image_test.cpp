@@ -61,6 +61,28 @@ TEST(Image, IsConvertedToTheChannelsAskedFor) {
     EXPECT_EQ(read->bytes, (std::vector<std::uint8_t>{77, 77, 77, 255}));
 }
 
+TEST(Image, ComesBackFromAJpegFileNearlyAsItWas) {
+    const fs::path file = fs::path(testing::TempDir()) / "image_test.jpg";
+    engine::Image ramp(32, 8, 3);
+    for (int y = 0; y < ramp.height; ++y)
+        for (int x = 0; x < ramp.width; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                ramp.at(x, y)[channel] = static_cast<std::uint8_t>(8 * x / (channel + 1));
+    const std::vector<std::uint8_t> bytes = engine::encode_jpeg(ramp, 95);
+    std::ofstream(file, std::ios::binary)
+        .write(
+            reinterpret_cast<const char*>(bytes.data()), // NOLINT(*-reinterpret-cast): a stream
+            static_cast<std::streamsize>(bytes.size()));
+
+    const engine::Result<engine::Image> read = engine::read_png(file);
+    fs::remove(file);
+
+    ASSERT_TRUE(read) << to_string(read.error());
+    ASSERT_EQ(read->bytes.size(), ramp.bytes.size());
+    for (std::size_t i = 0; i < ramp.bytes.size(); ++i)
+        EXPECT_NEAR(read->bytes[i], ramp.bytes[i], 12) << i;
+}
+
 TEST(Image, FailuresNameTheFile) {
     const fs::path text = fs::path(testing::TempDir()) / "image_test.txt";
     std::ofstream(text) << "no picture";
