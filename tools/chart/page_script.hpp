@@ -7,16 +7,16 @@
 namespace chart {
 
 inline constexpr std::string_view kChartPageStyle =
-    R"css(.axes { display: flex; flex-wrap: wrap; gap: .4rem 1rem; }
+    R"css(.axes { display: flex; flex-wrap: wrap; gap: .4rem 1rem; font-size: .85rem; margin: .5rem 0; }
 .axes fieldset { border: 1px solid var(--line); border-radius: 4px; padding: .1rem .7rem .3rem; }
-.axes label { margin-right: .9rem; white-space: nowrap; }
+.axes label { margin-right: .6rem; white-space: nowrap; }
 .view[hidden], .gone { display: none; }
 #tip { position: fixed; z-index: 2; pointer-events: none; max-width: 24rem; padding: .4rem .6rem; font-size: .8rem;
   background: var(--paper); border: 1px solid var(--faint); border-radius: 4px; }
 #tip[hidden] { display: none; } #tip td { border: 0; padding: 0 .8rem 0 0; } #tip table { margin: .2rem 0 0; }
 #panel { border: 1px solid var(--faint); border-radius: 4px; padding: .6rem .9rem .9rem; margin: .6rem 0; }
 #panel[hidden] { display: none; } #panel header { display: flex; justify-content: space-between; }
-#panel .pictures { display: flex; flex-wrap: wrap; gap: .8rem; } #panel figure { flex: 1 1 22rem; max-width: 40rem; }
+#panel .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(25rem, 1fr)); gap: .8rem; }
 #panel img { width: 100%; display: block; border: 1px solid var(--line); }
 #panel .facts { columns: 3 14rem; font-size: .85rem; margin: .5rem 0; }
 #panel .facts div { break-inside: avoid; } #panel .facts b { font-weight: 600; }
@@ -24,10 +24,10 @@ button { font: inherit; }
 )css";
 
 inline constexpr std::string_view kHowToRead =
-    R"html(<p class="faint">Down is more accurate, left is cheaper: a
-point of the green band is beaten by no other. The line through the pentagons is what <code>auto</code> picks, with the
-error that it was allowed. Both axes are logarithmic; what is exactly zero lies in the shaded gutters. Stay on a point
-to read it, click it (or press Enter) to see its pictures; a line of the legend hides and shows its points.</p>
+    R"html(<p class="faint">Down is more accurate, left is cheaper; no point
+beats those on the green band. The line joins what <code>auto</code> picks, with the error that it was allowed. What is
+exactly zero lies in the shaded gutters. Stay on a point to read it, click it to see its pictures; a line of the legend
+hides and shows its points.</p>
 )html";
 
 inline constexpr std::string_view kPanel = R"html(<div id="tip" role="status" hidden></div>

@@ -18,6 +18,7 @@ using Run = std::function<int()>;
 
 Run add_render(CLI::App& app);
 Run add_measure(CLI::App& app);
+Run add_chart(CLI::App& app);
 Run add_check(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_play(CLI::App& app);

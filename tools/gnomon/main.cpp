@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
     const std::vector<gnomon::Run> runs = {
         gnomon::add_render(app),
         gnomon::add_measure(app),
+        gnomon::add_chart(app),
         gnomon::add_check(app),
         gnomon::add_explain(app),
         gnomon::add_play(app)};
