@@ -22,6 +22,7 @@ constexpr double kRight = 880.0;
 constexpr double kTop = 44.0;
 constexpr double kBottom = 560.0;
 constexpr double kGutter = 34.0;
+constexpr double kLeastMs = 0.1; ///< less is what two timings of the same frame differ by
 
 /// A point that has a place.
 struct Mark {
@@ -76,7 +77,7 @@ private:
             // Other engines predict nothing: they keep the time that they took.
             const auto x = value(*all[i], is_peer ? Across::measured : across_);
             const auto y = value(*all[i], up_);
-            if (x && y) marks.push_back({all[i], i, is_peer, {*x, *y}, {}});
+            if (x && y) marks.push_back({all[i], i, is_peer, {*x < kLeastMs ? 0.0 : *x, *y}, {}});
         }
         return marks;
     }
@@ -157,7 +158,7 @@ void Drawing::frame() {
             kTop,
             x_.start() - kLeft,
             kBottom - kTop);
-        text(x_.place(0.0), kBottom + 18.0, "middle", "", "0");
+        text(x_.place(0.0), kBottom + 18.0, "middle", "", fmt::format("< {:g}", kLeastMs));
         line(x_.start(), kTop, x_.start(), kBottom, "grid whole");
     }
     if (y_.knows_zero()) {
@@ -193,7 +194,7 @@ void Drawing::floor_lines() {
     for (const Floor& floor : floors(chart_, up_)) {
         const double y = y_.place(floor.value);
         line(kLeft, y, kRight, y, "floor");
-        text(kRight - 6.0, y - 4.0, "end", "floor-name", floor.name);
+        text(kLeft + kGutter + 6.0, y - 4.0, "start", "floor-name", floor.name);
     }
 }
 

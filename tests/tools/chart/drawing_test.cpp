@@ -66,6 +66,18 @@ TEST(ChartDrawing, HasGuttersForZeroOnlyWhereSomethingIs) {
         count_of(drawn(findings, Across::measured, Up::wrong_percent), "class=\"gutter\""), 0U);
 }
 
+TEST(ChartDrawing, TakesTimesThatNoClockTellsApartForNone) {
+    chart::Findings findings = chart_test::findings();
+    auto& points = findings.charts[0].points;
+    points[0].measured_ms = 0.004; // noise must not stretch the axis by decades
+
+    const std::string svg = drawn(findings, Across::measured, Up::wrong_percent);
+
+    EXPECT_THAT(svg, HasSubstr(">&lt; 0.1</text>"));
+    EXPECT_THAT(svg, Not(HasSubstr(">0.01</text>")));
+    EXPECT_THAT(svg, HasSubstr("aria-label=\"none: 0 ms"));
+}
+
 TEST(ChartDrawing, HasTheFloorsOfItsTruth) {
     const chart::Findings findings = chart_test::findings();
 

@@ -1,0 +1,182 @@
+// gnomon chart on a small level with two lights: what it measures, what it leaves.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr const char* kLevel = R"(
+local g = require "gnomon"
+return g.scene {
+  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
+  g.lamp { name = "lamp", position = { 1.5, 2, 0 }, intensity = 30, range = 8 },
+  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
+  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, position = { 0, 0.5, 0 } },
+  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
+}
+)";
+
+class Chart : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ =
+            fs::temp_directory_path() / fmt::format("gnomon_charts_{}_{}", test->name(), getpid());
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "level.lua") << kLevel;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// @return the exit code; what it printed is in text_
+    int run(const std::string& options) {
+        const std::string command = fmt::format(
+            "'{}' chart '{}' --size 160x90 {} 2>&1",
+            GNOMON_PROGRAM,
+            (folder_ / "level.lua").string(),
+            options);
+        std::FILE* pipe = popen(command.c_str(), "r");
+        text_.clear();
+        std::array<char, 4096> buffer{};
+        while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
+            text_.append(buffer.data(), count);
+        const int status = pclose(pipe);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    int chart(const std::string& options, const std::string& out = "out") {
+        return run(fmt::format("{} --out '{}'", options, (folder_ / out).string()));
+    }
+    [[nodiscard]] std::string text(const std::string& file) const {
+        std::ifstream stream(folder_ / file, std::ios::binary);
+        std::ostringstream text;
+        text << stream.rdbuf();
+        return text.str();
+    }
+    [[nodiscard]] nlohmann::json charts() const {
+        return nlohmann::json::parse(text("out/chart.json"))["charts"];
+    }
+
+    fs::path folder_;
+    std::string text_;
+};
+
+constexpr int kNoOpenGl = 77;
+
+/// A point of a chart by its name.
+nlohmann::json point(const nlohmann::json& chart, const std::string& name) {
+    for (const nlohmann::json& point : chart["points"])
+        if (point["point"] == name) return point;
+    return nlohmann::json::object();
+}
+
+TEST_F(Chart, OfPredictedCostsIsTheSameEveryTime) {
+    const std::string options = "--cost predicted --technique none,map@256:pcf,auto@1";
+    const int code = chart(options, "once");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+    ASSERT_EQ(chart(options, "twice"), 0) << text_;
+
+    EXPECT_EQ(text("once/chart.json"), text("twice/chart.json"));
+    EXPECT_EQ(text("once/chart.html"), text("twice/chart.html"));
+    EXPECT_NE(text("once/chart.html"), "");
+}
+
+TEST_F(Chart, KnowsThatTheTruthIsRightAndNothingIsFree) {
+    const int code = chart("--frames 1 --technique none,map@256:pcf,map@1024:pcf,traced");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+
+    const auto lamp = charts()[1];
+    EXPECT_EQ(lamp["light"], "lamp");
+    EXPECT_EQ(point(lamp, "none")["predicted_ms"], 0.0);
+    EXPECT_GT(point(lamp, "none")["wrong_percent"].get<double>(), 1.0);
+    EXPECT_EQ(point(lamp, "traced")["wrong_percent"], 0.0);
+    EXPECT_EQ(point(lamp, "traced")["front"], false);
+    EXPECT_LT(point(lamp, "map@1024:pcf")["error_px"], point(lamp, "map@256:pcf")["error_px"]);
+    EXPECT_GT(
+        point(lamp, "map@1024:pcf")["predicted_ms"], point(lamp, "map@256:pcf")["predicted_ms"]);
+    EXPECT_TRUE(point(lamp, "map@256:pcf")["measured_ms"].is_number());
+}
+
+TEST_F(Chart, OfTheSceneIsTheSumOfItsLights) {
+    const int code = chart("--cost predicted --technique none,map@512:pcf");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+
+    const auto all = charts();
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_EQ(all[0]["light"], "");
+    for (const char* figure : {"predicted_ms", "error_px"}) {
+        SCOPED_TRACE(figure);
+        EXPECT_NEAR(
+            point(all[0], "map@512:pcf")[figure].get<double>(),
+            point(all[1], "map@512:pcf")[figure].get<double>()
+                + point(all[2], "map@512:pcf")[figure].get<double>(),
+            1e-9);
+    }
+}
+
+TEST_F(Chart, ChargesALightWithItsOwnShadowsAlone) {
+    const int code = chart("--cost predicted --technique map@1024:pcf");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+
+    // Six faces for the lamp. The sun's cascades are fewer.
+    const auto texels = [&](int chart) {
+        return std::stod(
+            point(charts()[chart], "map@1024:pcf")["facts"]["map texels"].get<std::string>());
+    };
+    EXPECT_LT(texels(2), texels(1));
+}
+
+TEST_F(Chart, SaysWhyASettingHasNoPoint) {
+    const int code = chart("--cost predicted --technique none,cube_map@256");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+
+    const auto sun = charts()[2];
+    EXPECT_EQ(sun["light"], "sun");
+    ASSERT_EQ(sun["refusals"].size(), 1U);
+    EXPECT_EQ(sun["refusals"][0]["name"], "cube_map@256");
+    EXPECT_NE(sun["refusals"][0]["reason"], "");
+    EXPECT_EQ(charts()[0]["refusals"][0]["name"], "cube_map@256");
+}
+
+TEST_F(Chart, LaysOtherEnginesOverTheScene) {
+    std::ofstream(folder_ / "peers.csv")
+        << "scene,peer,config,cost,wrong\nlevel,ogre,pcf,3,0.5\nelsewhere,ogre,pcf,4,0.5\n";
+    const int code = chart(fmt::format(
+        "--cost predicted --technique none --overlay '{}'", (folder_ / "peers.csv").string()));
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+
+    EXPECT_EQ(point(charts()[0], "ogre pcf")["measured_ms"], 3.0);
+    EXPECT_EQ(charts()[0]["points"].size(), 2U);
+    EXPECT_EQ(charts()[1]["points"].size(), 1U);
+}
+
+TEST_F(Chart, RefusesWhatItCannotRead) {
+    std::ofstream(folder_ / "bad.csv") << "scene,peer\na,b\n";
+
+    const int unknown = chart("--technique volumee");
+    if (unknown == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    EXPECT_EQ(unknown, 2);
+    EXPECT_THAT(text_, HasSubstr("did you mean 'volume'?"));
+    EXPECT_EQ(chart("--overlay /nowhere/x.csv"), 3);
+    EXPECT_THAT(text_, HasSubstr("/nowhere/x.csv"));
+    EXPECT_EQ(chart(fmt::format("--overlay '{}'", (folder_ / "bad.csv").string())), 3);
+    EXPECT_THAT(text_, HasSubstr("column 'config' is missing"));
+}
+
+} // namespace
