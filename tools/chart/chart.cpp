@@ -14,6 +14,24 @@ std::optional<double> percent(double part, double whole) {
     return ratio(100.0 * part, whole);
 }
 
+struct Names {
+    std::string_view word;
+    std::string_view short_title;
+    std::string_view title;
+};
+
+Names names_of(Up up) {
+    switch (up) {
+    case Up::wrong_percent:
+        return {"wrong_percent", "wrong %", "wrong pixels, %"};
+    case Up::eps_px:
+        return {"eps_px", "eps px", "error per px of true edge, px"};
+    case Up::error_px:
+        break;
+    }
+    return {"error_px", "error px", "sum of |V - V*|, px"};
+}
+
 } // namespace
 
 Errors& Errors::operator+=(const Errors& other) {
@@ -32,16 +50,8 @@ std::string_view word_of(Across across) {
     return across == Across::measured ? "measured" : "predicted";
 }
 
-std::string_view word_of(Up up) {
-    switch (up) {
-    case Up::wrong_percent:
-        return "wrong_percent";
-    case Up::eps_px:
-        return "eps_px";
-    case Up::error_px:
-        break;
-    }
-    return "error_px";
+std::string_view short_title_of(Across across) {
+    return across == Across::measured ? "measured ms" : "predicted ms";
 }
 
 std::string_view title_of(Across across) {
@@ -49,16 +59,16 @@ std::string_view title_of(Across across) {
                                       : "counted work x committed coefficients, ms";
 }
 
+std::string_view word_of(Up up) {
+    return names_of(up).word;
+}
+
+std::string_view short_title_of(Up up) {
+    return names_of(up).short_title;
+}
+
 std::string_view title_of(Up up) {
-    switch (up) {
-    case Up::wrong_percent:
-        return "wrong pixels, %";
-    case Up::eps_px:
-        return "error per px of true edge, px";
-    case Up::error_px:
-        break;
-    }
-    return "sum of |V - V*|, px";
+    return names_of(up).title;
 }
 
 std::optional<double> value(const Point& point, Across across) {

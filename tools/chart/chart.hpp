@@ -36,6 +36,9 @@ inline constexpr std::array kUp = {Up::wrong_percent, Up::eps_px, Up::error_px};
 /// A word without spaces: "measured", "wrong_percent"; keys of files and of the page.
 std::string_view word_of(Across across);
 std::string_view word_of(Up up);
+/// Short, for buttons: "wrong %", "measured ms".
+std::string_view short_title_of(Across across);
+std::string_view short_title_of(Up up);
 /// What the axis says, with its unit.
 std::string_view title_of(Across across);
 std::string_view title_of(Up up);

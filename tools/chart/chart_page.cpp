@@ -30,16 +30,18 @@ std::string choice(
     const std::vector<Chart>& charts,
     const std::array<Axis, n>& axes,
     std::string_view name,
-    std::string_view legend) {
-    std::string html = fmt::format("<fieldset><legend>{}</legend>\n", legend);
+    std::string_view heading) {
+    std::string html = fmt::format("<fieldset><b>{}</b>\n", heading);
     bool is_first = true;
     for (const Axis axis : axes) {
         if (!is_known(charts, axis)) continue;
         html += fmt::format(
-            "<label><input type=\"radio\" name=\"{0}\" value=\"{1}\"{2}> {3}</label>\n",
+            "<label title=\"{4}\"><input type=\"radio\" name=\"{0}\" value=\"{1}\"{2}> "
+            "{3}</label>\n",
             name,
             word_of(axis),
             is_first ? " checked" : "",
+            escaped(short_title_of(axis)),
             escaped(title_of(axis)));
         is_first = false;
     }
@@ -112,7 +114,7 @@ std::string chart_page(const Findings& findings) {
         escaped(findings.about));
     body += kHowToRead;
     body += "<form class=\"axes\">\n";
-    body += choice(findings.charts, kUp, "up", "Upwards");
+    body += choice(findings.charts, kUp, "up", "Up");
     body += choice(findings.charts, kAcross, "across", "Across");
     body += "</form>\n";
     for (std::size_t i = 0; i < findings.charts.size(); ++i) {

@@ -312,7 +312,7 @@ void Drawing::legend() {
     for (const Line& one :
          {Line{"front", "nothing beats these", front_marks(false).size() > 1},
           Line{"peer-front", "the same, of others", front_marks(true).size() > 1},
-          Line{"floor", "as good as can be", !floors(chart_, up_).empty()}}) {
+          Line{"floor", "what sampling allows", !floors(chart_, up_).empty()}}) {
         if (!one.is_drawn) continue;
         y += 8.0;
         line(kRight + 14.0, y, kRight + 36.0, y, one.css);

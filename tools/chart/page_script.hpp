@@ -8,8 +8,8 @@ namespace chart {
 
 inline constexpr std::string_view kChartPageStyle =
     R"css(.axes { display: flex; flex-wrap: wrap; gap: .4rem 1rem; font-size: .85rem; margin: .5rem 0; }
-.axes fieldset { border: 1px solid var(--line); border-radius: 4px; padding: .1rem .7rem .3rem; }
-.axes label { margin-right: .6rem; white-space: nowrap; }
+.axes fieldset { border: 1px solid var(--line); border-radius: 4px; margin: 0; padding: .2rem .7rem; }
+.axes label { margin-left: .6rem; white-space: nowrap; }
 .view[hidden], .gone { display: none; }
 #tip { position: fixed; z-index: 2; pointer-events: none; max-width: 24rem; padding: .4rem .6rem; font-size: .8rem;
   background: var(--paper); border: 1px solid var(--faint); border-radius: 4px; }

@@ -94,6 +94,20 @@ chart::Errors errors_of(const measure::Comparison& comparison, const measure::Fi
     return errors;
 }
 
+/// Of a pair that nothing serves, what the technique that was asked says; where all were asked,
+/// what all say.
+std::string why_unserved(const shadows::ShadowSystem& system) {
+    for (const shadows::Plan& pair : system.plan().plans)
+        for (const shadows::Rejection& rejection : pair.rejected)
+            if (pair.entries.empty() && rejection.reason != "not pinned")
+                return fmt::format(
+                    "{} on receiver '{}': {}",
+                    rejection.technique,
+                    system.scene().receiver(pair.receiver).name,
+                    rejection.reason);
+    return system.unserved().front();
+}
+
 /// What stands beside a point for people. @param bytes that shadows hold on the device
 void add_facts(
     chart::Point& point,
@@ -187,9 +201,8 @@ engine::Result<void> Charting::draw(const std::string& word, std::optional<std::
         level_.shadows.rules.push_back(std::move(rule));
     }
     if (auto drawn = studio_.draw(level_, camera_); !drawn) return drawn;
-    if (const auto unserved = studio_.shadows().unserved(); !unserved.empty())
-        return engine::Error{unserved.front()};
-    return {};
+    if (studio_.shadows().unserved().empty()) return {};
+    return engine::Error{why_unserved(studio_.shadows())};
 }
 
 engine::Result<chart::Point>
