@@ -155,10 +155,10 @@ int run(Command command) {
     add_words(command, *level, techniques);
     if (command.cost == "predicted") command.charting.timing.frames = 0;
 
-    const std::size_t lights = scene::placed_lights(level->world).size();
-    Progress progress(
-        lights * (command.charting.words.size() + 1)
-        + (lights > 1 ? command.charting.words.size() : 0));
+    const auto lights = charted_lights(scene::placed_lights(level->world), command.charting.light);
+    if (!lights) return fail(lights.error(), kWrongUsage);
+    const std::size_t words = command.charting.words.size();
+    Progress progress(lights->size() * (words + 1) + (lights->size() > 1 ? words : 0));
     auto charts =
         chart_level(**studio, *level, *camera, command.charting, [&](const std::string& text) {
             progress(text);
@@ -200,6 +200,7 @@ Run add_chart(CLI::App& app) {
             "try these instead of everything, several with commas: map@1024:pcf, volume@1, "
             "auto@0.5")
         ->delimiter(',');
+    command->add_option("--light", options->charting.light, "one light alone; else every one");
     command->add_flag("--quick", options->quick, "few sizes, one filter, three budgets");
     command
         ->add_option(

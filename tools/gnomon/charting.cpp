@@ -1,5 +1,6 @@
 #include "tools/gnomon/charting.hpp"
 
+#include "engine/core/text.hpp"
 #include "engine/scene/views.hpp"
 #include "systems/shadows/cost_model.hpp"
 
@@ -149,8 +150,7 @@ public:
           options_(options),
           progress_(progress),
           settings_(level.shadows),
-          lights_(scene::placed_lights(level.world)),
-          width_(picture_width(options.words.size() * (2 + 3 * lights_.size()), camera)) {
+          lights_(scene::placed_lights(level.world)) {
         studio_.shadows().always_refresh = true;
         level_.shadows.overriding.clear();
     }
@@ -304,7 +304,8 @@ engine::Result<chart::Chart> Charting::of_all(const std::vector<chart::Chart>& o
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (const auto& [name, text] : parts[i]->facts)
                 if (name == "picked")
-                    sum.facts.emplace_back(fmt::format("picked for '{}'", lights_[i].name), text);
+                    sum.facts.emplace_back(
+                        fmt::format("picked for '{}'", of_lights[i].light), text);
         sum.pictures = {};
         if (const auto drawn = draw(word, {}); !drawn) return drawn.error();
         sum.pictures.color = url(studio_.color());
@@ -314,13 +315,14 @@ engine::Result<chart::Chart> Charting::of_all(const std::vector<chart::Chart>& o
 }
 
 engine::Result<std::vector<chart::Chart>> Charting::charts() {
-    if (lights_.empty())
-        return engine::Error{"the scene has no light; expected one whose shadows can be charted"};
+    const auto charted = charted_lights(lights_, options_.light);
+    if (!charted) return charted.error();
+    width_ = picture_width(options_.words.size() * (1 + 3 * charted->size()), camera_);
     const trace::TraceScene tracer(level_.world);
     if (auto drawn = studio_.draw(level_, camera_, false); !drawn) return drawn.error();
     without_ = studio_.renderer().frame().counters();
     std::vector<chart::Chart> charts;
-    for (std::size_t light = 0; light < lights_.size(); ++light) {
+    for (const std::size_t light : *charted) {
         auto chart = of_light(light, tracer);
         if (!chart) return chart.error();
         charts.push_back(*std::move(chart));
@@ -335,6 +337,22 @@ engine::Result<std::vector<chart::Chart>> Charting::charts() {
 }
 
 } // namespace
+
+engine::Result<std::vector<std::size_t>>
+charted_lights(const std::vector<scene::PlacedLight>& lights, const std::string& name) {
+    std::vector<std::size_t> charted;
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        names.emplace_back(lights[i].name);
+        if (name.empty() || name == lights[i].name) charted.push_back(i);
+    }
+    if (lights.empty())
+        return engine::Error{"the scene has no light; expected one whose shadows can be charted"};
+    if (charted.empty())
+        return engine::Error{fmt::format(
+            "--light {}: the scene has no such light{}", name, engine::did_you_mean(name, names))};
+    return charted;
+}
 
 engine::Result<std::vector<chart::Chart>> chart_level(
     Studio& studio,

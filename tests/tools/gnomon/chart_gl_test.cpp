@@ -157,6 +157,19 @@ TEST_F(Chart, SaysWhyASettingHasNoPoint) {
     EXPECT_EQ(charts()[0]["refusals"][0]["name"], "cube_map@256");
 }
 
+TEST_F(Chart, OfOneLightIsTheSameAsAmongAll) {
+    const int code = chart("--cost predicted --technique map@256:pcf");
+    if (code == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
+    ASSERT_EQ(code, 0) << text_;
+    const auto among_all = charts()[2];
+
+    ASSERT_EQ(chart("--cost predicted --technique map@256:pcf --light sun"), 0) << text_;
+
+    ASSERT_EQ(charts().size(), 1U);
+    EXPECT_EQ(charts()[0]["light"], "sun");
+    EXPECT_EQ(charts()[0]["points"], among_all["points"]);
+}
+
 TEST_F(Chart, LaysOtherEnginesOverTheScene) {
     std::ofstream(folder_ / "peers.csv")
         << "scene,peer,config,cost,wrong\nlevel,ogre,pcf,3,0.5\nelsewhere,ogre,pcf,4,0.5\n";
@@ -177,6 +190,8 @@ TEST_F(Chart, RefusesWhatItCannotRead) {
     if (unknown == kNoOpenGl) GTEST_SKIP() << "no OpenGL here";
     EXPECT_EQ(unknown, 2);
     EXPECT_THAT(text_, HasSubstr("did you mean 'volume'?"));
+    EXPECT_EQ(chart("--light sum"), 2);
+    EXPECT_THAT(text_, HasSubstr("did you mean 'sun'?"));
     EXPECT_EQ(chart("--overlay /nowhere/x.csv"), 3);
     EXPECT_THAT(text_, HasSubstr("/nowhere/x.csv"));
     EXPECT_EQ(chart(fmt::format("--overlay '{}'", (folder_ / "bad.csv").string())), 3);
