@@ -21,7 +21,8 @@ constexpr double kLeft = 78.0;
 constexpr double kRight = 880.0;
 constexpr double kTop = 44.0;
 constexpr double kBottom = 560.0;
-constexpr double kGutter = 34.0;
+constexpr double kGutterX = 50.0;
+constexpr double kGutterY = 34.0;
 constexpr double kLeastMs = 0.1; ///< less is what two timings of the same frame differ by
 
 /// A point that has a place.
@@ -41,8 +42,8 @@ public:
           across_(across),
           up_(up),
           marks_(marks()),
-          x_(values(&Place::x, {}), kLeft, kRight, kGutter),
-          y_(values(&Place::y, floors(chart, up)), kBottom, kTop, kGutter) {
+          x_(values(&Place::x, {}), kLeft, kRight, kGutterX),
+          y_(values(&Place::y, floors(chart, up)), kBottom, kTop, kGutterY) {
         for (Mark& mark : marks_)
             mark.px = {x_.place(mark.value.x), y_.place(mark.value.y)};
     }
@@ -100,6 +101,10 @@ private:
             return a->px.x != b->px.x ? a->px.x < b->px.x : a->px.y < b->px.y;
         });
         return front;
+    }
+
+    [[nodiscard]] Place floor_name(const Floor& floor) const {
+        return {kLeft + kGutterX + 6.0, y_.place(floor.value) - 4.0};
     }
 
     template <class... T>
@@ -194,7 +199,8 @@ void Drawing::floor_lines() {
     for (const Floor& floor : floors(chart_, up_)) {
         const double y = y_.place(floor.value);
         line(kLeft, y, kRight, y, "floor");
-        text(kLeft + kGutter + 6.0, y - 4.0, "start", "floor-name", floor.name);
+        const Place start = floor_name(floor);
+        text(start.x, start.y, "start", "floor-name", floor.name);
     }
 }
 
@@ -271,10 +277,12 @@ void Drawing::names() {
     for (const bool of_peers : {false, true})
         for (const Mark* mark : front_marks(of_peers))
             if (!mark->point->budget_px) want(*mark, mark->point->name);
-    std::vector<Place> places;
+    std::vector<Box> taken;
     for (const Mark& mark : marks_)
-        places.push_back(mark.px);
-    const auto found = place_labels(wanted, places, {kLeft, kTop, kRight, kBottom});
+        taken.push_back(mark_box(mark.px));
+    for (const Floor& floor : floors(chart_, up_))
+        taken.push_back(text_box(floor_name(floor), floor.name));
+    const auto found = place_labels(wanted, std::move(taken), {kLeft, kTop, kRight, kBottom});
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (found[i])
             add("<text class=\"label\" data-series=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",

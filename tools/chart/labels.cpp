@@ -23,18 +23,19 @@ bool inside(const Box& a, const Box& room) {
            && a.bottom <= room.bottom;
 }
 
-Box box_of(const Place& start, double width) {
+} // namespace
+
+Box mark_box(const Place& point) {
+    return {point.x - kMarkPx, point.y - kMarkPx, point.x + kMarkPx, point.y + kMarkPx};
+}
+
+Box text_box(const Place& start, std::string_view text) {
+    const double width = kLetterPx * static_cast<double>(text.size());
     return {start.x, start.y - kAscentPx, start.x + width, start.y + kDescentPx};
 }
 
-} // namespace
-
 std::vector<std::optional<Place>>
-place_labels(std::span<const Wanted> wanted, std::span<const Place> points, const Box& room) {
-    std::vector<Box> taken;
-    for (const Place& point : points)
-        taken.push_back(
-            {point.x - kMarkPx, point.y - kMarkPx, point.x + kMarkPx, point.y + kMarkPx});
+place_labels(std::span<const Wanted> wanted, std::vector<Box> taken, const Box& room) {
     std::vector<std::optional<Place>> places;
     for (const Wanted& one : wanted) {
         const double width = kLetterPx * static_cast<double>(one.text.size());
@@ -49,7 +50,7 @@ place_labels(std::span<const Wanted> wanted, std::span<const Place> points, cons
             {x - width / 2.0, y + kGapPx + kAscentPx},
         }};
         const auto free = std::find_if(tries.begin(), tries.end(), [&](const Place& place) {
-            const Box box = box_of(place, width);
+            const Box box = text_box(place, one.text);
             return inside(box, room) && std::none_of(taken.begin(), taken.end(), [&](const Box& b) {
                        return overlap(box, b);
                    });
@@ -58,7 +59,7 @@ place_labels(std::span<const Wanted> wanted, std::span<const Place> points, cons
             places.emplace_back(std::nullopt);
             continue;
         }
-        taken.push_back(box_of(*free, width));
+        taken.push_back(text_box(*free, one.text));
         places.emplace_back(*free);
     }
     return places;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/chart/pareto.hpp"
@@ -24,10 +25,16 @@ struct Wanted {
     std::string text;
 };
 
+/// What a point's mark covers.
+Box mark_box(const Place& point);
+/// What a name covers. @param start the left end of its base line
+Box text_box(const Place& start, std::string_view text);
+
 /// Where names go, one after the other: beside, above or below their points, where they cover
-/// neither a point nor a name that has its place, inside `room`. Nothing: no place was free.
+/// nothing that is `taken` and no name that has its place, inside `room`. Nothing: no place was
+/// free.
 /// @return the left ends of their base lines
 std::vector<std::optional<Place>>
-place_labels(std::span<const Wanted> wanted, std::span<const Place> points, const Box& room);
+place_labels(std::span<const Wanted> wanted, std::vector<Box> taken, const Box& room);
 
 } // namespace chart

@@ -55,7 +55,7 @@ svg.chart text.title { font-size: 14px; font-weight: 600; fill: var(--ink); }
 svg.chart text.label { font-size: 10.5px; fill: var(--ink); }
 svg.chart .grid { stroke: var(--line); stroke-width: .6; } svg.chart .grid.whole { stroke-width: 1.1; }
 svg.chart .frame { fill: none; stroke: var(--faint); } svg.chart .gutter { fill: var(--gutter); }
-svg.chart .floor { stroke: var(--bad); stroke-dasharray: 6 4; } svg.chart text.floor-name { fill: var(--bad); }
+svg.chart .floor { stroke: var(--bad); stroke-dasharray: 6 4; } svg.chart text.floor-name { font-size: 10.5px; fill: var(--bad); }
 svg.chart .front { fill: none; stroke: var(--band); stroke-width: 7; stroke-linejoin: round; }
 svg.chart .peer-front { fill: none; stroke: var(--faint); stroke-dasharray: 2 4; }
 svg.chart .auto-curve { fill: none; stroke: var(--ink); stroke-width: 1.6; }

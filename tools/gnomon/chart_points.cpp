@@ -15,6 +15,8 @@ namespace {
 constexpr float kWrong = 0.502F;
 /// Vertices that a triangle costs, as predictions count them.
 constexpr double kVerticesPerTriangle = 1.5;
+/// What is seen, and whether light reaches it.
+constexpr double kRaysPerPixel = 2.0;
 
 } // namespace
 
@@ -30,7 +32,8 @@ gpu::Counters added_by_shadows(gpu::Counters counters, const gpu::Counters& with
     return counters;
 }
 
-double counted_ms(const gpu::Counters& counters, const shadows::FramePlan& plan) {
+double
+counted_ms(const gpu::Counters& counters, const shadows::FramePlan& plan, std::size_t pixels) {
     shadows::Cost cost;
     cost.vertices = kVerticesPerTriangle * static_cast<double>(counters.triangles);
     cost.colour_fragments = static_cast<double>(counters.mask_fragments);
@@ -41,6 +44,7 @@ double counted_ms(const gpu::Counters& counters, const shadows::FramePlan& plan)
     for (const shadows::Plan& pair : plan.plans)
         for (const shadows::PlanEntry& entry : pair.entries)
             cost.rays += entry.predicted.cost.rays;
+    cost.rays = std::min(cost.rays, kRaysPerPixel * static_cast<double>(pixels));
     return shadows::milliseconds(cost, shadows::llvmpipe_profile());
 }
 

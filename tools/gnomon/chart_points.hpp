@@ -15,8 +15,11 @@ namespace gnomon {
 /// Counts of a frame with shadows, less those of the frame itself.
 gpu::Counters added_by_shadows(gpu::Counters counters, const gpu::Counters& without);
 
-/// What was counted, at what it costs, ms. Rays are not counted but as their plans predict them.
-double counted_ms(const gpu::Counters& counters, const shadows::FramePlan& plan);
+/// What was counted, at what it costs, ms. Rays are not counted but as their plans predict them,
+/// two a pixel at most: the plans of receivers behind one another predict the same pixels again.
+/// @param pixels of the picture
+double
+counted_ms(const gpu::Counters& counters, const shadows::FramePlan& plan, std::size_t pixels);
 
 /// Wrong is what differs by more than a half, of the pixels whose surface is seen and turned to the
 /// light. Undecided ones count: other engines' judges know no such, and leaving them out would

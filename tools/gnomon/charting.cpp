@@ -136,7 +136,8 @@ Charting::point(const std::string& word, std::size_t light, const truth::TruthIm
     point.is_truth = setting.series == "traced";
     const gpu::Counters counters =
         added_by_shadows(studio_.renderer().frame().counters(), without_);
-    point.predicted_ms = counted_ms(counters, studio_.shadows().plan());
+    point.predicted_ms =
+        counted_ms(counters, studio_.shadows().plan(), truth.image.visibility.size());
     const DrawnSurfaces drawn = drawn_surfaces(studio_, camera_);
     const engine::Image color = studio_.color();
     const auto mask = studio_.mask(light);

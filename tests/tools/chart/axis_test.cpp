@@ -86,9 +86,9 @@ TEST(LogAxis, MarksPowersOfTenAndWhenShortTwoAndFiveOfThem) {
 
 TEST(ChartLabels, LieBesideTheirPoint) {
     const std::vector<chart::Wanted> wanted = {{{50.0, 50.0}, "name"}};
-    const std::vector<chart::Place> points = {{50.0, 50.0}};
+    const std::vector<chart::Box> taken = {chart::mark_box({50.0, 50.0})};
 
-    const auto places = chart::place_labels(wanted, points, {0.0, 0.0, 200.0, 100.0});
+    const auto places = chart::place_labels(wanted, taken, {0.0, 0.0, 200.0, 100.0});
 
     ASSERT_TRUE(places[0]);
     EXPECT_GT(places[0]->x, 50.0);
@@ -96,19 +96,29 @@ TEST(ChartLabels, LieBesideTheirPoint) {
 
 TEST(ChartLabels, GoToTheOtherSideWhereTheChartEnds) {
     const std::vector<chart::Wanted> wanted = {{{190.0, 50.0}, "name"}};
-    const std::vector<chart::Place> points = {{190.0, 50.0}};
+    const std::vector<chart::Box> taken = {chart::mark_box({190.0, 50.0})};
 
-    const auto places = chart::place_labels(wanted, points, {0.0, 0.0, 200.0, 100.0});
+    const auto places = chart::place_labels(wanted, taken, {0.0, 0.0, 200.0, 100.0});
 
     ASSERT_TRUE(places[0]);
     EXPECT_LT(places[0]->x, 190.0 - 4 * 5.0);
 }
 
+TEST(ChartLabels, CoverNothingThatIsThere) {
+    const std::vector<chart::Wanted> wanted = {{{50.0, 50.0}, "name"}};
+    const chart::Box right_of_it = {55.0, 0.0, 200.0, 100.0};
+
+    const auto places = chart::place_labels(wanted, {right_of_it}, {0.0, 0.0, 200.0, 100.0});
+
+    ASSERT_TRUE(places[0]);
+    EXPECT_LE(chart::text_box(*places[0], "name").right, 55.0);
+}
+
 TEST(ChartLabels, AreLeftOutWhereNothingIsFree) {
     const std::vector<chart::Wanted> wanted(9, {{100.0, 50.0}, "the same place again"});
-    const std::vector<chart::Place> points = {{100.0, 50.0}};
+    const std::vector<chart::Box> taken = {chart::mark_box({100.0, 50.0})};
 
-    const auto places = chart::place_labels(wanted, points, {0.0, 0.0, 400.0, 100.0});
+    const auto places = chart::place_labels(wanted, taken, {0.0, 0.0, 400.0, 100.0});
 
     EXPECT_TRUE(places.front());
     EXPECT_FALSE(places.back());

@@ -77,7 +77,7 @@ TEST(ChartCost, IsWhatShadowsAddAtCommittedCoefficients) {
         .taps = 500000};
     const shadows::Cost per = shadows::llvmpipe_profile().ms_per;
 
-    const double ms = gnomon::counted_ms(gnomon::added_by_shadows(with, without), {});
+    const double ms = gnomon::counted_ms(gnomon::added_by_shadows(with, without), {}, 0);
 
     EXPECT_DOUBLE_EQ(
         ms,
@@ -94,7 +94,10 @@ TEST(ChartCost, OfRaysIsWhatThePlansPredict) {
         pair.entries.back().predicted.cost.taps = 1e9; // counted, not predicted
     }
 
-    EXPECT_DOUBLE_EQ(gnomon::counted_ms({}, plan), 2e5 * shadows::llvmpipe_profile().ms_per.rays);
+    const double per_ray = shadows::llvmpipe_profile().ms_per.rays;
+
+    EXPECT_DOUBLE_EQ(gnomon::counted_ms({}, plan, 1000000), 2e5 * per_ray);
+    EXPECT_DOUBLE_EQ(gnomon::counted_ms({}, plan, 5000), 2 * 5000 * per_ray); // two a pixel
 }
 
 } // namespace
