@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace chart {
 
 namespace {
@@ -100,6 +102,12 @@ std::vector<const Point*> Chart::all() const {
     for (const Point& peer : peers)
         all.push_back(&peer);
     return all;
+}
+
+Up usual_up(std::span<const Chart> charts) {
+    const bool soft =
+        std::any_of(charts.begin(), charts.end(), [](const Chart& chart) { return chart.soft; });
+    return soft ? Up::eps_px : Up::wrong_percent;
 }
 
 std::vector<Floor> floors(const Chart& chart, Up up) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -88,6 +89,10 @@ struct Chart {
     /// points and peers, in this order: how files and the page count them.
     [[nodiscard]] std::vector<const Point*> all() const;
 };
+
+/// What to look at first: wrong pixels, and where a light is soft the error per px of edge, since
+/// no pixel of a penumbra is right or wrong.
+Up usual_up(std::span<const Chart> charts);
 
 /// A line that no picture of one sample a pixel gets below.
 struct Floor {

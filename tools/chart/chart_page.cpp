@@ -24,15 +24,15 @@ bool is_known(const std::vector<Chart>& charts, Axis axis) {
     });
 }
 
-/// Buttons for the axes on which some point has a value; the first is chosen.
+/// Buttons for the axes on which some point has a value.
 template <class Axis, std::size_t n>
 std::string choice(
     const std::vector<Chart>& charts,
     const std::array<Axis, n>& axes,
+    Axis chosen,
     std::string_view name,
     std::string_view heading) {
     std::string html = fmt::format("<fieldset><b>{}</b>\n", heading);
-    bool is_first = true;
     for (const Axis axis : axes) {
         if (!is_known(charts, axis)) continue;
         html += fmt::format(
@@ -40,10 +40,9 @@ std::string choice(
             "{3}</label>\n",
             name,
             word_of(axis),
-            is_first ? " checked" : "",
+            axis == chosen ? " checked" : "",
             escaped(short_title_of(axis)),
             escaped(title_of(axis)));
-        is_first = false;
     }
     return html + "</fieldset>\n";
 }
@@ -114,8 +113,13 @@ std::string chart_page(const Findings& findings) {
         escaped(findings.about));
     body += kHowToRead;
     body += "<form class=\"axes\">\n";
-    body += choice(findings.charts, kUp, "up", "Up");
-    body += choice(findings.charts, kAcross, "across", "Across");
+    body += choice(findings.charts, kUp, usual_up(findings.charts), "up", "Up");
+    body += choice(
+        findings.charts,
+        kAcross,
+        is_known(findings.charts, Across::measured) ? Across::measured : Across::predicted,
+        "across",
+        "Across");
     body += "</form>\n";
     for (std::size_t i = 0; i < findings.charts.size(); ++i) {
         const Chart& chart = findings.charts[i];

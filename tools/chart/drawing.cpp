@@ -21,7 +21,7 @@ constexpr double kLeft = 78.0;
 constexpr double kRight = 880.0;
 constexpr double kTop = 44.0;
 constexpr double kBottom = 560.0;
-constexpr double kGutterX = 50.0;
+constexpr double kGutterX = 64.0;
 constexpr double kGutterY = 34.0;
 constexpr double kLeastMs = 0.1; ///< less is what two timings of the same frame differ by
 

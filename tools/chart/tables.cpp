@@ -50,7 +50,7 @@ Json json_number(const std::optional<double>& value) {
 std::string csv(std::span<const Chart> charts) {
     std::string text = kHeader;
     for (const Chart& chart : charts) {
-        const std::vector<bool> front = on_front(chart, usual(chart), Up::wrong_percent);
+        const std::vector<bool> front = on_front(chart, usual(chart), usual_up({&chart, 1}));
         const std::vector<const Point*> all = chart.all();
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Point& point = *all[i];
@@ -80,7 +80,7 @@ std::string json(std::span<const Chart> charts) {
         for (const Up up : kUp)
             for (const Floor& floor : floors(chart, up))
                 one["floors"][std::string(word_of(up))][floor.name] = floor.value;
-        const std::vector<bool> front = on_front(chart, usual(chart), Up::wrong_percent);
+        const std::vector<bool> front = on_front(chart, usual(chart), usual_up({&chart, 1}));
         const std::vector<const Point*> all = chart.all();
         one["points"] = Json::array();
         for (std::size_t i = 0; i < all.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace chart {
 
 /// RFC 4180: a row a point: scene, light (empty: all of them), point, series, peer (0 or 1), costs,
-/// errors, budget_px, front (on measured time and wrong pixels, without times on predicted ones).
+/// errors, budget_px, front (on usual_up() and measured time, without any on predicted).
 /// What is not known is an empty field.
 std::string csv(std::span<const Chart> charts);
 

@@ -92,7 +92,7 @@ engine::Result<void> write_charts(const fs::path& folder, const chart::Findings&
             one,
             findings.series,
             timed ? chart::Across::measured : chart::Across::predicted,
-            chart::Up::wrong_percent));
+            chart::usual_up({&one, 1})));
         if (auto written = write_text(folder / (stem_of(one) + ".svg"), svg); !written)
             return written;
     }

@@ -50,7 +50,8 @@ TEST(ChartPage, LetsNoTextEndItsData) {
     const std::string page = chart::chart_page(chart_test::findings());
     const auto data = data_of(page);
 
-    EXPECT_EQ(data[0]["points"][0]["facts"].back(), nlohmann::json({"map", "<b>&\"quoted\"</b>"}));
+    EXPECT_EQ(
+        data[0]["points"][0]["facts"].back(), nlohmann::json({"map", "</script>&\"quoted\""}));
     EXPECT_THAT(page, HasSubstr("64x48, &lt;/script&gt; is only text"));
 }
 
@@ -64,6 +65,15 @@ TEST(ChartPage, OffersOnlyTheAxesThatAreKnown) {
 
     EXPECT_THAT(page, Not(HasSubstr("value=\"measured\"")));
     EXPECT_THAT(page, HasSubstr("value=\"predicted\" checked"));
+}
+
+TEST(ChartPage, BeginsWithWhatItsLightsAreJudgedBy) {
+    chart::Findings findings = chart_test::findings();
+    EXPECT_THAT(chart::chart_page(findings), HasSubstr("value=\"wrong_percent\" checked"));
+
+    findings.charts[0].soft = true;
+
+    EXPECT_THAT(chart::chart_page(findings), HasSubstr("value=\"eps_px\" checked"));
 }
 
 TEST(ChartPage, SaysWhatHasNoPointAndWhy) {

@@ -29,7 +29,7 @@ chart::Point point(const std::string& name, double ms, double wrong_px) {
         500.0,
         500.0 * measure::kPrecisionFloor,
         500.0 * measure::kHalfPixelFloor};
-    point.facts = {{"map", "<b>&\"quoted\"</b>"}};
+    point.facts = {{"map", "</script>&\"quoted\""}};
     point.pictures = {grey_picture(40), grey_picture(80), grey_picture(120)};
     return point;
 }
