@@ -225,6 +225,16 @@ std::vector<std::string> ShadowSystem::unserved() const {
     return sentences;
 }
 
+std::vector<int> ShadowSystem::ages(std::size_t light) const {
+    std::vector<int> ages;
+    for (const auto& [key, running] : jobs_)
+        if (running.light == light) {
+            const bool stale = running.outdated || running.wanted != running.drawn_for;
+            ages.push_back(stale ? running.age : 0);
+        }
+    return ages;
+}
+
 std::size_t ShadowSystem::gpu_bytes() const {
     std::size_t sum = 0;
     for (const auto& [key, running] : jobs_)

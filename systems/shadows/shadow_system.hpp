@@ -50,6 +50,9 @@ public:
     [[nodiscard]] std::vector<std::string> unserved() const;
     /// Jobs redrawn in the last frame.
     [[nodiscard]] std::size_t refresh_count() const { return due_.size(); }
+    /// By how many frames each job of a light stands behind: those since it was last redrawn, 0
+    /// when nothing has moved since. @param light an index into scene().lights
+    [[nodiscard]] std::vector<int> ages(std::size_t light) const;
     [[nodiscard]] std::size_t gpu_bytes() const;
 
 private:

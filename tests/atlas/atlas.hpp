@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "engine/gpu/frame.hpp"
 #include "engine/scene/camera.hpp"
 #include "systems/shadows/remedies.hpp"
 

@@ -11,6 +11,7 @@
 
 #include "tools/gnomon/chart_points.hpp"
 #include "tools/gnomon/comparing.hpp"
+#include "tools/gnomon/row_pictures.hpp"
 #include "tools/gnomon/serving.hpp"
 #include "tools/gnomon/view_options.hpp"
 #include "tools/measure/figures.hpp"

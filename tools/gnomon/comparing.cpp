@@ -75,4 +75,30 @@ measure::Comparison make_comparison(
     return comparison;
 }
 
+void find_hidden_edges(
+    const trace::TraceScene& tracer,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    measure::Comparison& comparison) {
+    constexpr std::ptrdiff_t kMostPixels = 4096;
+    const std::vector<std::uint8_t> far = measure::far_errors(comparison);
+    if (std::count(far.begin(), far.end(), 1) > kMostPixels) return;
+    comparison.hidden_edge.assign(far.size(), 0);
+    trace::for_each_row(camera.height, 0, nullptr, [&](int y) {
+        for (int x = 0; x < camera.width; ++x) {
+            const std::size_t pixel = comparison.truth.index(x, y);
+            if (far[pixel] == 0) continue;
+            const bool found = truth::edge_near(
+                tracer,
+                camera,
+                light,
+                {x + 0.5, y + 0.5},
+                measure::lit(comparison.truth.visibility[pixel]),
+                static_cast<double>(comparison.resolution_band_px[pixel]),
+                static_cast<double>(measure::kGrazingCosine));
+            comparison.hidden_edge[pixel] = found ? 1 : 0;
+        }
+    });
+}
+
 } // namespace gnomon

@@ -34,4 +34,14 @@ measure::Comparison make_comparison(
     const scene::CameraView& camera,
     const scene::PlacedLight& light);
 
+/// Marks edges that pixels do not show, where an error would count as a wrong shape: looks closer
+/// there. Where there are very many, they are one, and nothing is marked.
+/// @param tracer of the world that was drawn
+/// @pre comparison.resolution_band_px is filled
+void find_hidden_edges(
+    const trace::TraceScene& tracer,
+    const scene::CameraView& camera,
+    const scene::PlacedLight& light,
+    measure::Comparison& comparison);
+
 } // namespace gnomon

@@ -2,8 +2,6 @@
 
 #include "engine/scene/views.hpp"
 
-#include <algorithm>
-
 #include "tools/gnomon/progress.hpp"
 
 namespace gnomon {
@@ -69,29 +67,6 @@ engine::Result<measure::Comparison> Measurement::compare(
     const auto mask = studio_.mask(light);
     if (!mask) return mask.error();
     return make_comparison(*mask, truth, drawn, camera, studio_.lights()[light]);
-}
-
-void Measurement::find_hidden_edges(
-    const scene::CameraView& camera, std::size_t light, measure::Comparison& comparison) const {
-    constexpr std::ptrdiff_t kMostPixels = 4096;
-    const std::vector<std::uint8_t> far = measure::far_errors(comparison);
-    if (std::count(far.begin(), far.end(), 1) > kMostPixels) return;
-    comparison.hidden_edge.assign(far.size(), 0);
-    trace::for_each_row(camera.height, 0, nullptr, [&](int y) {
-        for (int x = 0; x < camera.width; ++x) {
-            const std::size_t pixel = comparison.truth.index(x, y);
-            if (far[pixel] == 0) continue;
-            const bool found = truth::edge_near(
-                tracer_,
-                camera,
-                studio_.lights()[light],
-                {x + 0.5, y + 0.5},
-                measure::lit(comparison.truth.visibility[pixel]),
-                static_cast<double>(comparison.resolution_band_px[pixel]),
-                static_cast<double>(measure::kGrazingCosine));
-            comparison.hidden_edge[pixel] = found ? 1 : 0;
-        }
-    });
 }
 
 void Measurement::tell(const std::string& text) const {

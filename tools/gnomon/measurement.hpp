@@ -36,13 +36,11 @@ public:
     engine::Result<measure::Comparison>
     compare(const scene::CameraView& camera, std::size_t light, const truth::TruthImage& truth);
 
-    /// Looks closer at what would count as a wrong shape. Where very much would, it is one.
-    void find_hidden_edges(
-        const scene::CameraView& camera, std::size_t light, measure::Comparison& comparison) const;
-
     /// What is being done, for someone who waits.
     void tell(const std::string& text) const;
 
+    /// The level as it was last traced.
+    [[nodiscard]] const trace::TraceScene& tracer() const { return tracer_; }
     [[nodiscard]] Progress& progress() { return progress_; }
     [[nodiscard]] Studio& studio() { return studio_; }
     [[nodiscard]] Level& level() { return level_; }

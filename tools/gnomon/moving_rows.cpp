@@ -39,7 +39,6 @@ struct Run {
     measure::MotionRecorder recorder;
     std::unique_ptr<shadows::ShadowSystem> shadows;
     std::unique_ptr<shadows::ShadowSystem> redrawn;
-    int age = 0; ///< frames since any of its shadows was redrawn
 };
 
 /// One frame of a sequence.
@@ -58,15 +57,13 @@ engine::Result<void> record_lag(
     const measure::Comparison& as_asked,
     Run& run) {
     Studio& studio = measurement.studio();
-    run.age = run.shadows->refresh_count() > 0 ? 0 : run.age + 1;
     studio.use_shadows(run.redrawn.get());
     if (auto drawn = measurement.draw(moment.camera, run.row.technique); !drawn) return drawn;
     const auto mask = studio.mask(light);
     if (!mask) return mask.error();
     measure::Comparison redrawn = as_asked;
     redrawn.measured = measure::mask_from_image(*mask);
-    const bool drawn_at_all = run.shadows->serves(light);
-    run.recorder.add_lag(as_asked, redrawn, std::span<const int>(&run.age, drawn_at_all ? 1U : 0U));
+    run.recorder.add_lag(as_asked, redrawn, run.shadows->ages(light));
     return {};
 }
 

@@ -27,7 +27,8 @@ void add_serving(const Still& still, measure::Comparison& comparison, measure::R
     const DrawnSurfaces drawn = drawn_surfaces(studio, still.camera);
     const Serving serving(studio.shadows(), still.light);
     comparison.resolution_band_px = serving.bands_px(drawn, still.truth, still.camera);
-    still.measurement.find_hidden_edges(still.camera, still.light, comparison);
+    find_hidden_edges(
+        still.measurement.tracer(), still.camera, studio.lights()[still.light], comparison);
     if (row.technique.rfind("auto", 0) == 0) row.picked = serving.shares(drawn, comparison);
 }
 

@@ -122,7 +122,7 @@ constexpr auto kMotion = std::to_array<FigureColumn<M>>({
      field<&M::lag, &LagFigures::stale_px>},
     {"stale_p95_px", "px", "the same, 95th percentile of the edge", 2,
      field<&M::lag, &LagFigures::stale_p95_px>},
-    {"age_mean", "frames", "since a shadow was last redrawn, mean", kHidden,
+    {"age_mean", "frames", "by which a shadow stands behind what moved, mean", kHidden,
      field<&M::lag, &LagFigures::age_mean>},
     {"age_max", "frames", "the same, the oldest", kHidden, field<&M::lag, &LagFigures::age_max>},
 });

@@ -22,7 +22,7 @@ struct LagFigures {
     /// 95th percentile, over all frames, of the distance from each edge to where it would be were
     /// it redrawn: v (N - 1) for that edge when N is at most 20.
     Figure stale_p95_px;
-    Figure age_mean; ///< frames since a job was last redrawn, over all jobs and frames
+    Figure age_mean; ///< frames by which a job stands behind, over all jobs and frames
     Figure age_max;
 };
 
@@ -31,7 +31,7 @@ class LagRecorder {
 public:
     /// @param as_asked drawn by the technique with its savings
     /// @param redrawn the same frame with every job redrawn
-    /// @param ages of the light's jobs, in frames; 0 was redrawn in this one
+    /// @param ages of the light's jobs, in frames; 0 stands where the world stands
     /// @pre both have the same size and truth
     void add(const Comparison& as_asked, const Comparison& redrawn, std::span<const int> ages);
 

@@ -229,6 +229,58 @@ TEST_F(CommandLine, MeasureHoldsTracedAtZeroAndNoneFarFromIt) {
     EXPECT_TRUE(fs::exists(folder_ / "out" / "measure.csv"));
 }
 
+TEST_F(CommandLine, MeasureMovesLightsCastersAndTheLevelItself) {
+    write("moving.lua", R"(
+local g = require "gnomon"
+return g.scene {
+  on_update = function() if g.world.time > 0.025 then g.world:find("torch").on = false end end,
+  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
+  g.spot { name = "torch", position = { 1.5, 3, 0 }, target = { 0, 0, 0 }, intensity = 30 },
+  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
+  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, path = "way", path_speed = 2 },
+  g.path { name = "way", points = { { 0, 0.5, -0.5 }, { 0, 0.5, 0.5 } } },
+  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
+}
+)");
+    const Outcome outcome = run_gl(fmt::format(
+        "measure {} --size 160x120 --technique none,volume,map@512%3 --samples 4 --moving-frames 4 "
+        "--protocol sun,light,casters,play --out {}",
+        path("moving.lua"),
+        path("out")));
+    SKIP_WITHOUT_GL();
+
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+    const nlohmann::json report = json("out/measure.json");
+    ASSERT_EQ(report["rows"].size(), 24U) << "two lights, three techniques, four protocols";
+    for (const auto& row : report["rows"]) {
+        SCOPED_TRACE(fmt::format(
+            "{} {} {}",
+            row["light"].get<std::string>(),
+            row["technique"].get<std::string>(),
+            row["protocol"].get<std::string>()));
+        if (row["light"] == "torch" && row["protocol"] == "play") {
+            EXPECT_EQ(row["note"], "the light is off in frame 2");
+            continue;
+        }
+        ASSERT_TRUE(row["crawl_px"].is_number());
+        const bool moves = row["protocol"] == "casters" || row["protocol"] == "play"
+                           || (row["protocol"] == "light") == (row["light"] == "torch");
+        if (row["technique"] == "volume") {
+            EXPECT_LT(row["crawl_px"].get<double>(), 0.02);
+            EXPECT_EQ(row["stale_p95_px"], 0.0) << "it is redrawn whenever anything moves";
+            EXPECT_EQ(row["age_max"], 0.0);
+        } else if (row["technique"] == "map@512%3") {
+            if (row["protocol"] != "casters") continue;
+            EXPECT_EQ(row["age_max"], 2.0);
+            if (row["light"] == "sun") {
+                EXPECT_GT(row["stale_p95_px"].get<double>(), 0.5);
+            }
+        } else if (row["protocol"] != "sun") { // a fiftieth of a degree moves few pixels here
+            EXPECT_EQ(row["crawl_px"].get<double>() > 0.01, moves);
+        }
+    }
+}
+
 TEST_F(CommandLine, CheckReportsHealthAndPlans) {
     const Outcome outcome = run("check " + path("level.lua"));
 

@@ -145,6 +145,7 @@ protected:
         Level& level,
         const scene::CameraView& camera,
         std::size_t light,
+        const trace::TraceScene& tracer,
         const truth::TruthImage& truth) {
         Result result;
         const auto opened = Studio::open(kWidth, kHeight);
@@ -160,6 +161,7 @@ protected:
         comparison.resolution_band_px =
             Serving(studio.shadows(), light).bands_px(drawn, truth, camera);
         forget_unserved(studio.shadows(), light, drawn, comparison, result);
+        find_hidden_edges(tracer, camera, studio.lights()[light], comparison);
         result.figures = measure::compare(comparison);
         keep_picture(
             level.name + "_" + *level.shadows.lights[studio.lights()[light].name].technique,
@@ -206,7 +208,7 @@ TEST_P(TechniquesOnModels, AreRightOrRefuseWithAReason) {
         level->shadows.lights[by].technique = name;
         // Boxes in the place of casters are right within a budget only.
         if (name == "planar") level->shadows.lights[by].way = "geometry";
-        const Result result = try_one(*level, *camera, index, truths.at(by));
+        const Result result = try_one(*level, *camera, index, tracer, truths.at(by));
 
         const auto px = [](const measure::Figure& figure) {
             return figure.known() ? figure.value() : -1.0;
