@@ -125,6 +125,7 @@ function g.camera(fields) end
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
 ---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 ---@field way? "geometry"|"box"|"boxes"|"plateau"|"texture" How planar shadows are made: from the casters themselves, from boxes in their place, with a soft skirt, or kept in a texture. Without it the cheapest that is right enough. (one of "geometry", "box", "boxes", "plateau", "texture")
+---@field refresh? integer Frames that a shadow map or texture serves before it is drawn anew. 1 follows every motion; with more, shadows lag behind what moves. (a whole number, 1 to 1000 frames)
 
 ---A wish for some shadows only. What is left out matches everything; later rules win.
 ---@param fields gnomon.rule
@@ -170,6 +171,7 @@ function g.player(fields) end
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
 ---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 ---@field way? "geometry"|"box"|"boxes"|"plateau"|"texture" How planar shadows are made: from the casters themselves, from boxes in their place, with a soft skirt, or kept in a texture. Without it the cheapest that is right enough. (one of "geometry", "box", "boxes", "plateau", "texture")
+---@field refresh? integer Frames that a shadow map or texture serves before it is drawn anew. 1 follows every motion; with more, shadows lag behind what moves. (a whole number, 1 to 1000 frames)
 
 ---What a designer asks of the shadows of one light.
 ---@class (exact) gnomon.light_shadow
@@ -183,6 +185,7 @@ function g.player(fields) end
 ---@field cascades? integer Maps that share the view of a sun. One is coarse near the camera, four cost four passes. (a whole number, 1 to 4)
 ---@field proxy? integer How far volumes simplify heroes for what is not near them. 0 keeps every edge, 3 is cheapest and coarsest. (a whole number, 0 to 3)
 ---@field way? "geometry"|"box"|"boxes"|"plateau"|"texture" How planar shadows are made: from the casters themselves, from boxes in their place, with a soft skirt, or kept in a texture. Without it the cheapest that is right enough. (one of "geometry", "box", "boxes", "plateau", "texture")
+---@field refresh? integer Frames that a shadow map or texture serves before it is drawn anew. 1 follows every motion; with more, shadows lag behind what moves. (a whole number, 1 to 1000 frames)
 
 ---Something in a running level, found by its name.
 ---@class (exact) gnomon.handle
