@@ -40,6 +40,7 @@ std::unique_ptr<shadows::ShadowSystem> Studio::new_shadows() const {
     auto shadows = std::make_unique<shadows::ShadowSystem>();
     // Not probed again: that would leave state behind that frames do not expect.
     shadows->wraps_stencil = own_shadows_->wraps_stencil;
+    shadows->remedies = own_shadows_->remedies;
     return shadows;
 }
 

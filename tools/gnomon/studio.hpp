@@ -39,7 +39,8 @@ public:
         return renderer_.draw_mask(light, *shadows_);
     }
 
-    /// A shadow system for this device, which has drawn nothing yet.
+    /// A shadow system for this device, which has drawn nothing yet; with the remedies of the
+    /// studio's own.
     [[nodiscard]] std::unique_ptr<shadows::ShadowSystem> new_shadows() const;
     /// Frames from now on are drawn with another shadow system; null: with the studio's own.
     /// @param shadows outlives its use
