@@ -154,6 +154,17 @@ std::vector<Promise> make_promises() {
          still(kHalfPixel) + camera_moves(kAsStill)
              + scene_moves(texel_crawl, {"light", "casters"})},
         {"torch", "auto", still(budget) + camera_moves(kAsStill, {"walk"})},
+        {"field",
+         "cascaded_map@64x4:nearest",
+         but(
+             Gates{
+                 {"still", "eps_px", 0.7, "blocks of two pixels and more: 0.54 so far"},
+                 {"still", "changed_px", 0.0, kBitIdentical}}
+                 + camera_moves(
+                     {3.9, "blocks end beside the true edge: 3.5 so far"}, {"walk", "zoom"})
+                 + camera_moves({2.8, "blocks end beside the true edge: 2.4 so far"}, {"yaw"}),
+             "pop",
+             {0.07, "a block is a part of a tile: 0.047 so far"})},
         {"clipped", "planar", exact({"light", "casters"})},
         {"soft",
          "planar@64",
