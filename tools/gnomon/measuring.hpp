@@ -21,7 +21,7 @@ struct MeasureOptions {
     int moving_frames = 64;
     int truth_samples = 256; ///< of area lights
     TimingOptions timing;
-    std::filesystem::path pictures; ///< folder for each row's pictures, see write_row_pictures()
+    std::filesystem::path pictures; ///< folder for each row's; empty: none
     RowJournal* journal = nullptr;  ///< rows that are in it are not measured again; may be null
     Progress* progress = nullptr;   ///< null: of this level alone
 };

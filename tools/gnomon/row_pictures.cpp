@@ -56,6 +56,7 @@ engine::Result<void> write_row_pictures(
     const measure::Row& row,
     const measure::Comparison& comparison,
     const engine::Image& color) {
+    if (folder.empty()) return {};
     const std::string stem = (folder / picture_stem(row)).string();
     if (auto written = engine::write_png(stem + "_error.png", error_image(comparison)); !written)
         return written;

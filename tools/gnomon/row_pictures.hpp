@@ -21,7 +21,7 @@ std::string picture_stem(const measure::Row& row);
 /// pixels that no figure uses are grey.
 engine::Image error_image(const measure::Comparison& comparison);
 
-/// Writes into `folder`
+/// Writes into `folder`, or nothing where that is empty,
 /// - STEM_error.png: see error_image();
 /// - STEM_mask.png: the visibility that was measured as 8-bit grey, 255 lit;
 /// - STEM_color.png: the lit picture.
