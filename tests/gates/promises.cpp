@@ -176,16 +176,13 @@ std::vector<Promise> make_promises() {
          kSoftFrames},
         {"soft",
          "cube_map@1024:pcss",
-         still(kHalfPixel)
-             + camera_moves(
-                 {2.0, "points of the light are guessed for each pixel: 1.6 so far"}, {"walk"})
-             + scene_moves(texel_crawl, {"light"}),
+         still(kHalfPixel) + camera_moves(kAsStill, {"walk"}) + scene_moves(texel_crawl, {"light"}),
          kSoftFrames},
         {"soft",
          "shadow_texture@64",
          but(still(kHalfPixel)
                  + camera_moves(
-                     {5.0, "sums of hard shadows, each of its texels: 3.8 so far"}, {"walk"})
+                     {2.2, "sums of hard shadows, each of its texels: 1.7 so far"}, {"walk"})
                  + scene_moves(texel_crawl, {"light"}),
              "false_shadow_far_px",
              {1.0, "a texel's width is no bound of a sum of 64 of them: one pixel so far"}),
