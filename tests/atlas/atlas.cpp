@@ -21,6 +21,9 @@ namespace {
 
 /// Light samples of the truth where the light has an area.
 constexpr int kTruthSamples = 256;
+/// Frames of a stage that moves, and surface points that are followed.
+constexpr int kMovingFrames = 12;
+constexpr std::size_t kTrackedPoints = 20000;
 
 engine::Result<std::size_t>
 find_light(const std::vector<scene::PlacedLight>& lights, const std::string& name) {
@@ -60,6 +63,50 @@ engine::Result<measure::Comparison> compare(
     return comparison;
 }
 
+truth::TruthOptions truth_options() {
+    truth::TruthOptions options;
+    options.visibility.samples = kTruthSamples;
+    return options;
+}
+
+/// The world at one frame of a sequence.
+void move_to(Stage& stage, int frame) {
+    stage.move(stage, frame);
+    scene::update(stage.level.world, 0.0F);
+}
+
+/// Draws a stage frame after frame, each held against its truth.
+engine::Result<measure::MotionFigures>
+watch(gnomon::Studio& studio, Stage& stage, std::size_t light) {
+    trace::TraceScene tracer(stage.level.world);
+    const auto true_image = [&](int frame) {
+        move_to(stage, frame);
+        tracer.update(stage.level.world);
+        const auto lights = scene::placed_lights(stage.level.world);
+        return truth::true_visibility(tracer, stage.camera, lights[light], truth_options());
+    };
+    const truth::TruthImage last = true_image(kMovingFrames - 1);
+    const auto last_points = truth::surface_points(stage.camera, last.image);
+    const truth::TruthImage first = true_image(0);
+    const auto first_points = truth::surface_points(stage.camera, first.image);
+    measure::MotionRecorder recorder(
+        measure::choose_points(first_points, last_points, kTrackedPoints, 1));
+    for (int frame = 0; frame < kMovingFrames; ++frame) {
+        const truth::TruthImage truth = true_image(frame);
+        if (auto drawn = studio.draw(stage.level, stage.camera); !drawn) return drawn.error();
+        auto compared = compare(studio, stage, light, truth);
+        if (!compared) return compared.error();
+        const trace::VisibilityImage second = truth::second_grid(
+            tracer, stage.camera, studio.lights()[light], truth_options().visibility);
+        recorder.add(
+            *std::move(compared),
+            truth.image.depth,
+            [&](const glm::dvec3& point) { return stage.camera.project(point); },
+            measure::SecondGrid{second.visibility, second.depth});
+    }
+    return recorder.figures();
+}
+
 } // namespace
 
 engine::Image grey(const measure::Mask& mask) {
@@ -75,9 +122,7 @@ engine::Result<truth::TruthImage> trace(Stage& stage) {
     const auto light = find_light(lights, stage.light);
     if (!light) return light.error();
     const trace::TraceScene tracer(stage.level.world);
-    truth::TruthOptions options;
-    options.visibility.samples = kTruthSamples;
-    return truth::true_visibility(tracer, stage.camera, lights[*light], options);
+    return truth::true_visibility(tracer, stage.camera, lights[*light], truth_options());
 }
 
 engine::Result<Observation>
@@ -110,6 +155,11 @@ engine::Result<Observation> observe(
     if (!compared) return compared.error();
     seen.comparison = *std::move(compared);
     seen.figures = measure::compare(seen.comparison);
+    if (stage.move) {
+        const auto watched = watch(studio, stage, *light);
+        if (!watched) return watched.error();
+        seen.motion = *watched;
+    }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
         return engine::Error{fmt::format("OpenGL error {:#x}", error)};
     if (auto written = write_pictures(pictures, color, seen.comparison); !written)

@@ -16,6 +16,7 @@
 
 #include "tools/gnomon/level.hpp"
 #include "tools/measure/figures.hpp"
+#include "tools/measure/motion.hpp"
 #include "tools/truth/truth.hpp"
 
 namespace atlas {
@@ -29,13 +30,16 @@ struct Stage {
     scene::CameraView camera;
     std::string light;         ///< whose mask is measured
     bool wraps_stencil = true; ///< false: as on a driver that does not
+    /// Of what moves: takes it to a frame of a sequence. None: it is a still.
+    std::function<void(Stage&, int frame)> move = {};
 };
 
 /// One measured picture.
 struct Observation {
     gpu::Counters counters; ///< of the frame
     measure::Comparison comparison;
-    measure::Figures figures; ///< of the comparison
+    measure::Figures figures;                     ///< of the comparison
+    std::optional<measure::MotionFigures> motion; ///< of a stage that moves
 };
 
 /// A promise about a picture: a figure that stays at or below a limit.

@@ -21,6 +21,7 @@ std::vector<Case> map_cases();
 std::vector<Case> map_depth_cases();
 std::vector<Case> map_bias_cases();
 std::vector<Case> map_texel_cases();
+std::vector<Case> map_motion_cases();
 std::vector<Case> planar_cases();
 std::vector<Case> soft_cases();
 std::vector<Case> sheet_cases();
@@ -41,6 +42,7 @@ inline std::vector<Case> all_cases() {
           map_depth_cases(),
           map_bias_cases(),
           map_texel_cases(),
+          map_motion_cases(),
           planar_cases(),
           soft_cases(),
           sheet_cases(),

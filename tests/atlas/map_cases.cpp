@@ -4,8 +4,7 @@
 // "Adaptive Depth Bias for Shadow Maps", JCGT 2014; M. Valient, ShaderX6.
 //
 // What maps keep of a depth, how they compare it and how large their texels are: map_depth_cases,
-// map_bias_cases, map_texel_cases. Crawling and flickering are about motion:
-// tests/systems/shadows/cascade_fit_test.cpp.
+// map_bias_cases, map_texel_cases. Crawling and flickering: map_motion_cases.
 
 #include "tests/atlas/map_stage.hpp"
 #include "tests/support/worlds.hpp"

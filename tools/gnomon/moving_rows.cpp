@@ -19,19 +19,6 @@ namespace {
 
 constexpr std::size_t kTrackedPoints = 20000;
 
-/// Where the true surfaces of a frame are, for choosing points to follow.
-std::vector<glm::dvec3>
-surface_points(const scene::CameraView& camera, const trace::VisibilityImage& image) {
-    std::vector<glm::dvec3> points;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const auto depth = static_cast<double>(image.depth[image.index(x, y)]);
-            if (std::isfinite(depth))
-                points.push_back(camera.position + camera.ray_direction(x + 0.5, y + 0.5) * depth);
-        }
-    return points;
-}
-
 /// A technique on its way through the sequence. It lives through it alone, so that what it keeps
 /// from frame to frame is its own; and a twin redraws everything in every frame.
 struct Run {
@@ -205,8 +192,8 @@ engine::Result<void> measure_motion(
     const scene::PlacedLight placed = scene::placed_lights(measurement.level().world)[light];
     const scene::CameraView end = camera_at(protocol, start, frame_count - 1, frame_count);
     const auto points = measure::choose_points(
-        surface_points(start, measurement.truth(start, placed).image),
-        surface_points(end, measurement.truth(end, placed).image),
+        truth::surface_points(start, measurement.truth(start, placed).image),
+        truth::surface_points(end, measurement.truth(end, placed).image),
         kTrackedPoints,
         1);
     std::vector<Run> runs = make_runs(measurement, start, placed, protocol, techniques, points);

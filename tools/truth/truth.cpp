@@ -192,6 +192,18 @@ bool edge_near(
     return false;
 }
 
+std::vector<glm::dvec3>
+surface_points(const scene::CameraView& camera, const trace::VisibilityImage& image) {
+    std::vector<glm::dvec3> points;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const auto depth = static_cast<double>(image.depth[image.index(x, y)]);
+            if (std::isfinite(depth))
+                points.push_back(camera.position + camera.ray_direction(x + 0.5, y + 0.5) * depth);
+        }
+    return points;
+}
+
 Shares shares(const TruthImage& truth) {
     const trace::VisibilityImage& image = truth.image;
     const std::vector<std::uint8_t> edges = near_edges(image, 1, shadow_or_entity_edge);

@@ -69,6 +69,10 @@ bool edge_near(
     double radius_px,
     double least_n_dot_l);
 
+/// Where the surfaces of a picture are, world space, for choosing points to follow.
+std::vector<glm::dvec3>
+surface_points(const scene::CameraView& camera, const trace::VisibilityImage& image);
+
 Shares shares(const TruthImage& truth);
 
 /// 1 where a rasteriser shows the same surface as the truth: the same entity, and a view depth that
