@@ -1,20 +1,20 @@
 // Pages of charts as a reader uses them, in Debian's Chromium: open_chart.py stays, clicks and
 // types, in a light and in a dark browser.
 
+#include "tests/support/programs.hpp"
 #include "tests/tools/chart/points.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 namespace {
 
+using test_support::Outcome;
+using test_support::run;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -31,41 +31,15 @@ return g.scene {
 }
 )";
 
-struct Outcome {
-    int code = 0;
-    std::string text;
-};
-
-Outcome run(const std::string& command) {
-    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
-        outcome.text.append(buffer.data(), count);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-}
-
-class ChartBrowser : public testing::Test {
+class ChartBrowser : public test_support::TestWithFolder {
 protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ =
-            fs::temp_directory_path() / fmt::format("gnomon_chart_{}_{}", test->name(), getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     Outcome open(const std::string& page) const {
-        std::ofstream(folder_ / "chart.html") << page;
+        write("chart.html", page);
         return open();
     }
     Outcome open() const {
-        return run(fmt::format("python3 '{}' '{}'", OPEN_CHART, (folder_ / "chart.html").string()));
+        return run(fmt::format("python3 '{}' '{}'", OPEN_CHART, path("chart.html")));
     }
-
-    fs::path folder_;
 };
 
 TEST_F(ChartBrowser, UsesAPageOfMadeUpPoints) {

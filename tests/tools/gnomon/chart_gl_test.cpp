@@ -1,13 +1,12 @@
 // gnomon chart on a small level with two lights: what it measures, what it leaves.
 
+#include "tests/support/programs.hpp"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -29,31 +28,16 @@ return g.scene {
 }
 )";
 
-class Chart : public testing::Test {
+class Chart : public test_support::TestWithFolder {
 protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ =
-            fs::temp_directory_path() / fmt::format("gnomon_charts_{}_{}", test->name(), getpid());
-        fs::create_directories(folder_);
-        std::ofstream(folder_ / "level.lua") << kLevel;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { write("level.lua", kLevel); }
 
     /// @return the exit code; what it printed is in text_
     int run(const std::string& options) {
-        const std::string command = fmt::format(
-            "'{}' chart '{}' --size 160x90 {} 2>&1",
-            GNOMON_PROGRAM,
-            (folder_ / "level.lua").string(),
-            options);
-        std::FILE* pipe = popen(command.c_str(), "r");
-        text_.clear();
-        std::array<char, 4096> buffer{};
-        while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
-            text_.append(buffer.data(), count);
-        const int status = pclose(pipe);
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        const test_support::Outcome outcome = test_support::run(fmt::format(
+            "'{}' chart '{}' --size 160x90 {}", GNOMON_PROGRAM, path("level.lua"), options));
+        text_ = outcome.text;
+        return outcome.code;
     }
     int chart(const std::string& options, const std::string& out = "out") {
         return run(fmt::format("{} --out '{}'", options, (folder_ / out).string()));
@@ -68,7 +52,6 @@ protected:
         return nlohmann::json::parse(text("out/chart.json"))["charts"];
     }
 
-    fs::path folder_;
     std::string text_;
 };
 

@@ -1,16 +1,14 @@
 // The command line as other tools rely on it: files, words and exit codes. Runs the program itself.
 
 #include "engine/core/image.hpp"
+#include "tests/support/programs.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -18,6 +16,7 @@
 
 namespace {
 
+using test_support::Outcome;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -32,40 +31,14 @@ return g.scene {
 }
 )";
 
-struct Outcome {
-    int code = 0;
-    std::string text; ///< of both standard output and error
-};
-
 Outcome run(const std::string& arguments) {
-    const std::string command = fmt::format("'{}' {} 2>&1", GNOMON_PROGRAM, arguments);
-    std::FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
-        outcome.text.append(buffer.data(), count);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
+    return test_support::run(fmt::format("'{}' {}", GNOMON_PROGRAM, arguments));
 }
 
-class CommandLine : public testing::Test {
+class CommandLine : public test_support::TestWithFolder {
 protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ =
-            fs::temp_directory_path() / fmt::format("gnomon_cli_{}_{}", test->name(), getpid());
-        fs::create_directories(folder_);
-        write("level.lua", kLevel);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
+    void SetUp() override { write("level.lua", kLevel); }
 
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    [[nodiscard]] std::string path(const std::string& name) const {
-        return (folder_ / name).string();
-    }
     [[nodiscard]] nlohmann::json json(const std::string& name) const {
         std::ifstream stream(folder_ / name);
         return nlohmann::json::parse(stream);
@@ -77,7 +50,6 @@ protected:
         return outcome;
     }
 
-    fs::path folder_;
     mutable bool skipped_ = false;
 };
 
