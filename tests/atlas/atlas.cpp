@@ -154,6 +154,11 @@ engine::Result<Observation> observe(
     auto compared = compare(studio, stage, *light, truth);
     if (!compared) return compared.error();
     seen.comparison = *std::move(compared);
+    gnomon::find_hidden_edges(
+        trace::TraceScene(stage.level.world),
+        stage.camera,
+        studio.lights()[*light],
+        seen.comparison);
     seen.figures = measure::compare(seen.comparison);
     if (stage.move) {
         const auto watched = watch(studio, stage, *light);

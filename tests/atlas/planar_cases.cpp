@@ -280,7 +280,8 @@ std::vector<Case> planar_cases() {
          lattice,
          {0.5, 3.0, 1.0},
          std::nullopt,
-         exact},
+         // Where four cells meet, a pixel may be joined to either two.
+         {largest_error_inside(1.0), wrong_over_precision_floor(1.0)}},
         {"Chair",
          "the back of a chair throws no shadow on its own seat",
          chair,
