@@ -92,7 +92,8 @@ watch(gnomon::Studio& studio, Stage& stage, std::size_t light) {
     measure::MotionRecorder recorder(
         measure::choose_points(first_points, last_points, kTrackedPoints, 1));
     for (int frame = 0; frame < kMovingFrames; ++frame) {
-        const truth::TruthImage truth = true_image(frame);
+        // The stage stands at its first frame already.
+        const truth::TruthImage truth = frame == 0 ? first : true_image(frame);
         if (auto drawn = studio.draw(stage.level, stage.camera); !drawn) return drawn.error();
         auto compared = compare(studio, stage, light, truth);
         if (!compared) return compared.error();

@@ -15,6 +15,18 @@
 
 namespace test_support {
 
+/// A box on a floor under a sun and a lamp.
+inline constexpr const char* kTwoLights = R"(
+local g = require "gnomon"
+return g.scene {
+  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
+  g.lamp { name = "lamp", position = { 1.5, 2, 0 }, intensity = 30, range = 8 },
+  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
+  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, position = { 0, 0.5, 0 } },
+  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
+}
+)";
+
 /// How a program ended.
 struct Outcome {
     int code = -1;    ///< its exit code; -1: it was killed

@@ -16,6 +16,7 @@
 #include "tools/gnomon/view_options.hpp"
 #include "tools/measure/figures.hpp"
 #include "tools/page/picture.hpp"
+#include "tools/truth/truth_files.hpp"
 
 namespace gnomon {
 
@@ -182,11 +183,7 @@ Charting::of_light(std::size_t light, const trace::TraceScene& tracer) {
     progress_(fmt::format("{}: truth", chart.title()));
     const truth::TruthImage truth =
         truth::true_visibility(tracer, camera_, lights_[light], truth_options);
-    engine::Image true_mask(camera_.width, camera_.height, 1);
-    for (std::size_t i = 0; i < true_mask.bytes.size(); ++i)
-        true_mask.bytes[i] =
-            static_cast<std::uint8_t>(std::lround(255.0F * truth.image.visibility[i]));
-    chart.truth_mask = url(true_mask);
+    chart.truth_mask = url(truth::mask_picture(truth));
     for (const std::string& word : options_.words) {
         progress_(fmt::format("{}: {}", chart.title(), word));
         if (const auto drawn = draw(word, light); !drawn) {

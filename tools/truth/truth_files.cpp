@@ -14,14 +14,6 @@ namespace {
 constexpr std::uint8_t kSure = 255;
 constexpr std::uint8_t kUndecided = 64;
 
-engine::Image mask_picture(const TruthImage& truth) {
-    engine::Image picture(truth.image.width, truth.image.height, 1);
-    for (std::size_t i = 0; i < picture.pixel_count(); ++i)
-        picture.bytes[i] =
-            static_cast<std::uint8_t>(std::lround(255.0F * truth.image.visibility[i]));
-    return picture;
-}
-
 engine::Image valid_picture(const TruthImage& truth) {
     engine::Image picture(truth.image.width, truth.image.height, 1);
     for (std::size_t i = 0; i < picture.pixel_count(); ++i)
@@ -44,6 +36,14 @@ nlohmann::ordered_json summary(const std::string& name, const TruthImage& truth)
 }
 
 } // namespace
+
+engine::Image mask_picture(const TruthImage& truth) {
+    engine::Image picture(truth.image.width, truth.image.height, 1);
+    for (std::size_t i = 0; i < picture.pixel_count(); ++i)
+        picture.bytes[i] =
+            static_cast<std::uint8_t>(std::lround(255.0F * truth.image.visibility[i]));
+    return picture;
+}
 
 engine::Result<void>
 write_truth(const std::filesystem::path& folder, const std::string& name, const TruthImage& truth) {

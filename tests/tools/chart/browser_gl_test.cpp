@@ -20,17 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr int kSkipped = 77;
 
-constexpr const char* kLevel = R"(
-local g = require "gnomon"
-return g.scene {
-  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
-  g.lamp { name = "lamp", position = { 1.5, 2, 0 }, intensity = 30, range = 8 },
-  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
-  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, position = { 0, 0.5, 0 } },
-  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
-}
-)";
-
 class ChartBrowser : public test_support::TestWithFolder {
 protected:
     Outcome open(const std::string& page) const {
@@ -50,7 +39,7 @@ TEST_F(ChartBrowser, UsesAPageOfMadeUpPoints) {
 }
 
 TEST_F(ChartBrowser, UsesThePageOfASceneWithTwoLights) {
-    std::ofstream(folder_ / "level.lua") << kLevel;
+    std::ofstream(folder_ / "level.lua") << test_support::kTwoLights;
     std::ofstream(folder_ / "peers.csv") << "scene,peer,config,cost,wrong\nlevel,ogre,pcf,3,0.5\n";
     const Outcome made = run(fmt::format(
         "'{0}' chart '{1}/level.lua' --size 160x90 --frames 1 --overlay '{1}/peers.csv' "

@@ -17,20 +17,9 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-constexpr const char* kLevel = R"(
-local g = require "gnomon"
-return g.scene {
-  g.sun { name = "sun", direction = { 0.5, -1, -0.4 } },
-  g.lamp { name = "lamp", position = { 1.5, 2, 0 }, intensity = 30, range = 8 },
-  g.model { name = "floor", shape = "box", size = { 20, 0.2, 20 }, position = { 0, -0.1, 0 } },
-  g.model { name = "box", shape = "box", size = { 1, 1, 1 }, position = { 0, 0.5, 0 } },
-  g.camera { name = "front", position = { 0, 3, 6 }, look_at = { 0, 0, 0 } },
-}
-)";
-
 class Chart : public test_support::TestWithFolder {
 protected:
-    void SetUp() override { write("level.lua", kLevel); }
+    void SetUp() override { write("level.lua", test_support::kTwoLights); }
 
     /// @return the exit code; what it printed is in text_
     int run(const std::string& options) {
